@@ -8,10 +8,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <thread>
 
 #include "ir/check.hpp"
+#include "tests/machine_pace.hpp"
 
 namespace rungproof::mutation {
 
@@ -33,6 +35,8 @@ class Recorder final : public testing::EmptyTestEventListener {
 /// Tests that reach a common site are tried a few at a time; most mutants fall in the first few.
 constexpr std::size_t atFirst = 2, atOnce = 8;
 
+constexpr std::size_t triedAtOnePace = 1000;  ///< mutants between two looks at how fast the machine is
+
 constexpr int silent = 0, noticed = 1, unchecked = 77;  // exit codes
 
 /// From the last test to the first: the random tests of single mnemonics stand last and notice most.
@@ -52,12 +56,12 @@ bool someTestFails(const std::set<int>& tests, const std::vector<std::string>& n
   return false;
 }
 
-/// The process that tries a mutant.
-pid_t start(const Candidate& candidate, const std::vector<std::string>& names) {
+/// The process that tries a mutant. One that works longer than all its tests should is endless, and noticed.
+pid_t start(const Candidate& candidate, const std::vector<std::string>& names, double pace) {
   const pid_t child = fork();
   CHECK(child >= 0, "fork");
   if (child != 0) return child;
-  const rlim_t limit = 2 + candidate.tests->size() / 20;
+  const auto limit = static_cast<rlim_t>(std::ceil(pace * (2 + static_cast<double>(candidate.tests->size()) / 20)));
   const rlimit seconds{limit, limit}, noCore{0, 0};
   setrlimit(RLIMIT_CPU, &seconds);
   setrlimit(RLIMIT_CORE, &noCore);
@@ -95,9 +99,11 @@ std::vector<Verdict> tryMutants(const std::vector<Candidate>& candidates, const 
   const std::size_t processors = std::max(std::thread::hardware_concurrency(), 1U);
   std::vector<Verdict> verdicts(candidates.size());
   std::map<pid_t, std::size_t> running;
+  double pace = 1;
   for (std::size_t next = 0; next < candidates.size() || !running.empty();) {
     if (next < candidates.size() && running.size() < processors) {
-      running.emplace(start(candidates[next], names), next);
+      if (next % triedAtOnePace == 0) pace = test::machinePace();
+      running.emplace(start(candidates[next], names, pace), next);
       ++next;
       continue;
     }
