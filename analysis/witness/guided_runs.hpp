@@ -15,7 +15,8 @@ namespace rungproof {
 
 struct GuidedLimits {
   double seconds;
-  /// Without a new goal shown, of the run with all inputs on, of that with all off, and of all random runs together.
+  /// Without a new goal shown, of the run with all inputs on, of that with all off, of those with one input on alone
+  /// together, and of all random runs together.
   std::uint64_t instructions = schedule::guidedInstructions;
 };
 

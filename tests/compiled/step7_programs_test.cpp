@@ -10,7 +10,7 @@
 #include "ir/block_map.hpp"
 #include "ir/s7300/cpu.hpp"
 #include "tests/compiled/engine_pair.hpp"
-#include "tests/naive7/program_generator.hpp"
+#include "tests/compiled/random_step7.hpp"
 
 namespace rungproof::test {
 namespace {
@@ -42,13 +42,7 @@ void compareRandom(bool is400, bool anyTime, bool functions, bool isScripted = f
   std::uint64_t scans = 0, compiled = 0;
   for (int i = 0; i < count; ++i) {
     const std::uint64_t own = seed + static_cast<std::uint64_t>(i);
-    naive7::GeneratorChoices choices;
-    choices.is400 = is400;
-    choices.functions = functions;
-    const std::string text = naive7::ProgramGenerator(own, choices).program();
-    ReadOptions reading;
-    reading.dialect = is400 ? "s7-400" : "s7-300";
-    const Program program = readText("random.awl", text, reading);
+    const auto [text, program] = randomStep7(own, is400, functions);
     for (const Finding& finding : program.findings) {  // DB9 and DB77 are missing on purpose
       const bool isMeant = finding.message.starts_with("DB9 ") || finding.message.starts_with("DB77 ");
       ASSERT_TRUE(finding.severity != Severity::Error || isMeant) << "seed " << own << ": " << finding.message;

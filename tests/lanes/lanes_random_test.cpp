@@ -4,11 +4,10 @@
 
 #include <cstdlib>
 
-#include "frontend/input/project.hpp"
 #include "ir/block_map.hpp"
+#include "tests/compiled/random_step7.hpp"
 #include "tests/differential/program_generator.hpp"
 #include "tests/lanes/many_pair.hpp"
-#include "tests/naive7/program_generator.hpp"
 
 namespace rungproof::test {
 namespace {
@@ -84,13 +83,7 @@ void compareManyOfStep7(bool is400, bool anyTime, bool functions, std::size_t le
   std::size_t scans = 0, sideBySide = 0;
   for (int i = 0; i < programsOf(functions ? 3 : 10); ++i) {
     const std::uint64_t own = seed + static_cast<std::uint64_t>(i);
-    naive7::GeneratorChoices choices;
-    choices.is400 = is400;
-    choices.functions = functions;
-    const std::string text = naive7::ProgramGenerator(own, choices).program();
-    ReadOptions reading;
-    reading.dialect = is400 ? "s7-400" : "s7-300";
-    const Program program = readText("random.awl", text, reading);
+    const auto [text, program] = randomStep7(own, is400, functions);
     ManyOptions options = optionsFor(own);
     options.words = Area::DB;
     options.firstByte = dataByte(1, 0);

@@ -29,23 +29,26 @@ constexpr Limit limits[] = {
     {"PulseIsNotShorter", 3, "falls(Q0.0) implies prev(held(Q0.0, {}ms))", 1700, 1701},
 };
 
+/// In scans of 1 to 150 ms.
+ProofRun proved(const ProgramInput& input) {
+  ProverOptions options = usualOptions(30);
+  options.time.high = 150;
+  ProofRun run = prove(input.program, input.properties, options);
+  EXPECT_TRUE(run.disagreements.empty());
+  return run;
+}
+
 class IecTimer : public testing::TestWithParam<Limit> {};
 
 TEST_P(IecTimer, HoldsToTheMillisecond) {
   const Limit& limit = GetParam();
-  ProgramInput input;
-  input.program = readText(
-      "test.awl", fmt::format("DATA_BLOCK DB 4\nSFB {0}\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\n"
-                              "//@ prove holds: {1}\n//@ prove breaks: {2}\nBEGIN\nNETWORK\n"
-                              "CALL SFB {0}, DB 4 (IN := I 0.0, PT := T#2S, Q := Q 0.0);\nEND_ORGANIZATION_BLOCK\n",
-                              limit.timer, fmt::format(fmt::runtime(limit.form), limit.most),
-                              fmt::format(fmt::runtime(limit.form), limit.broken)));
-  input.properties = readProperties(input.program, {}, lookupIn(input.program));
-  for (const Finding& finding : input.program.findings) EXPECT_NE(finding.severity, Severity::Error) << finding.message;
-  ProverOptions options = usualOptions(30);
-  options.time.high = 150;
-  const ProofRun run = prove(input.program, input.properties, options);
-  EXPECT_TRUE(run.disagreements.empty());
+  const ProgramInput input =
+      inputOfSource(fmt::format("DATA_BLOCK DB 4\nSFB {0}\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\n"
+                                "//@ prove holds: {1}\n//@ prove breaks: {2}\nBEGIN\nNETWORK\n"
+                                "CALL SFB {0}, DB 4 (IN := I 0.0, PT := T#2S, Q := Q 0.0);\nEND_ORGANIZATION_BLOCK\n",
+                                limit.timer, fmt::format(fmt::runtime(limit.form), limit.most),
+                                fmt::format(fmt::runtime(limit.form), limit.broken)));
+  const ProofRun run = proved(input);
   EXPECT_EQ(outcomeOf(run, "holds"), Outcome::Proved);
   EXPECT_EQ(outcomeOf(run, "breaks"), Outcome::Violated);
 }
@@ -56,9 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Limits, IecTimer, testing::ValuesIn(limits),
 // A monitoring time in a block with two instances: a motor whose contactor does not answer is off in the scan in which
 // the time of 3 s is up. In scan n it is still on: at most 2999 + d(n) - p(n) - d(k) + p(k) <= 2999 + 150, as above.
 TEST(IecTimers, MonitoringTimesOfTwoInstances) {
-  ProgramInput input;
-  input.program = readText(
-      "test.awl",
+  const ProgramInput input = inputOfSource(
       "FUNCTION_BLOCK FB 1\nVAR_INPUT\n  start : BOOL;\n  stop : BOOL;\n  answer : BOOL;\n  limit : TIME := T#3S;\n"
       "END_VAR\nVAR_OUTPUT\n  q : BOOL;\n  fault : BOOL;\nEND_VAR\nVAR\n  mon : SFB 4;\nEND_VAR\nVAR_TEMP\n"
       "  wait : BOOL;\nEND_VAR\nBEGIN\nNETWORK\nA #start; S #q; ON #stop; O #fault; R #q; A #q; AN #answer; = #wait;\n"
@@ -68,12 +69,7 @@ TEST(IecTimers, MonitoringTimesOfTwoInstances) {
       "//@ prove second: not held(Q1.0 and not I1.2, 3150ms)\n//@ prove early: not held(Q1.0 and not I1.2, 3149ms)\n"
       "BEGIN\nNETWORK\nCALL FB 1, DB 1 (start := I 0.0, stop := I 0.1, answer := I 0.2, q := Q 0.0);\n"
       "CALL FB 1, DB 2 (start := I 1.0, stop := I 1.1, answer := I 1.2, q := Q 1.0);\nEND_ORGANIZATION_BLOCK\n");
-  input.properties = readProperties(input.program, {}, lookupIn(input.program));
-  for (const Finding& finding : input.program.findings) EXPECT_NE(finding.severity, Severity::Error) << finding.message;
-  ProverOptions options = usualOptions(30);
-  options.time.high = 150;
-  const ProofRun run = prove(input.program, input.properties, options);
-  EXPECT_TRUE(run.disagreements.empty());
+  const ProofRun run = proved(input);
   EXPECT_EQ(outcomeOf(run, "first"), Outcome::Proved);
   EXPECT_EQ(outcomeOf(run, "second"), Outcome::Proved);
   EXPECT_EQ(outcomeOf(run, "early"), Outcome::Violated);

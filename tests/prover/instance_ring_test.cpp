@@ -13,16 +13,13 @@ class InstanceRing : public testing::TestWithParam<int> {};
 // position of the second alone, and 1 is reached with the first rise of I0.1.
 TEST_P(InstanceRing, IsProvedAndViolated) {
   const int second = 18 + 2 * GetParam();
-  ProgramInput input;
-  input.program = readText(
-      "test.awl", ringsInTwoInstances(GetParam()) +
-                      fmt::format("ORGANIZATION_BLOCK OB 1\n//@ prove within: DB1.DBW8 < {0} and DB1.DBW{1} < {0}\n"
-                                  "//@ prove apart: DB1.DBW{1} <> prev(DB1.DBW{1}) implies rises(I0.1) or first_scan\n"
-                                  "//@ prove still: DB1.DBW{1} = 0\n"
-                                  "BEGIN\nNETWORK\nCALL FB 2 , DB 1;\nEND_ORGANIZATION_BLOCK\n",
-                                  GetParam(), second));
-  input.properties = readProperties(input.program, {}, lookupIn(input.program));
-  for (const Finding& finding : input.program.findings) EXPECT_NE(finding.severity, Severity::Error) << finding.message;
+  const ProgramInput input =
+      inputOfSource(ringsInTwoInstances(GetParam()) +
+                    fmt::format("ORGANIZATION_BLOCK OB 1\n//@ prove within: DB1.DBW8 < {0} and DB1.DBW{1} < {0}\n"
+                                "//@ prove apart: DB1.DBW{1} <> prev(DB1.DBW{1}) implies rises(I0.1) or first_scan\n"
+                                "//@ prove still: DB1.DBW{1} = 0\n"
+                                "BEGIN\nNETWORK\nCALL FB 2 , DB 1;\nEND_ORGANIZATION_BLOCK\n",
+                                GetParam(), second));
   const ProofRun run = prove(input.program, input.properties, usualOptions());
   EXPECT_EQ(outcomeOf(run, "within"), Proved);
   EXPECT_EQ(outcomeOf(run, "apart"), Proved);

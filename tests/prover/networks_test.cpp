@@ -54,11 +54,8 @@ TEST(Networks, NamesWhatAPointerMayReach) {
 
 /// The networks of a source of an S7-300 with that property.
 std::string networksOfSource(const std::string& property, const std::string& blocks, const std::string& statements) {
-  ProgramInput input;
-  input.program = readText("test.awl", blocks + "ORGANIZATION_BLOCK OB 1\n//@ prove it: " + property + "\nBEGIN\n" +
+  const ProgramInput input = inputOfSource(blocks + "ORGANIZATION_BLOCK OB 1\n//@ prove it: " + property + "\nBEGIN\n" +
                                            statements + "END_ORGANIZATION_BLOCK\n");
-  for (const Finding& finding : input.program.findings) EXPECT_NE(finding.severity, Severity::Error) << finding.message;
-  input.properties = readProperties(input.program, {}, lookupIn(input.program));
   return networksOf(input, "it");
 }
 

@@ -7,12 +7,9 @@ namespace {
 /// Verdicts of the properties a, b, ... of an OB1 with these directives and statements.
 std::vector<Outcome> proofsOf(const std::string& blocks, const std::string& directives, const std::string& statements,
                               const std::string& locals = {}, double timeout = 20, const Choices& choices = {}) {
-  ProgramInput input;
-  input.program = readText("test.awl", blocks + "ORGANIZATION_BLOCK OB 1\n" + directives +
+  const ProgramInput input = inputOfSource(blocks + "ORGANIZATION_BLOCK OB 1\n" + directives +
                                            "VAR_TEMP\n  start : ARRAY [0 .. 19] OF BYTE;\n" + locals +
                                            "END_VAR\nBEGIN\nNETWORK\n" + statements + "\nEND_ORGANIZATION_BLOCK\n");
-  input.properties = readProperties(input.program, {}, lookupIn(input.program));
-  for (const Finding& finding : input.program.findings) EXPECT_NE(finding.severity, Severity::Error) << finding.message;
   ProverOptions options = usualOptions(timeout);
   options.choices = choices;
   const ProofRun run = prove(input.program, input.properties, options);

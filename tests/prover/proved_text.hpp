@@ -4,21 +4,27 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "analysis/proof/rule_answers.hpp"
 #include "frontend/input/program_input.hpp"
 
 namespace rungproof::test {
 
-/// A main program of these network lines; property lines begin with //@.
-inline ProgramInput inputOf(const std::string& properties, const std::string& networks,
-                            const std::string& otherBlocks = "") {
+/// A source without mistakes, with its properties.
+inline ProgramInput inputOfSource(std::string source) {
   ProgramInput input;
-  input.program = readText("test.awl", "ORGANIZATION_BLOCK MAIN:OB1\n" + properties + "BEGIN\n" + networks +
-                                           "END_ORGANIZATION_BLOCK\n" + otherBlocks);
+  input.program = readText("test.awl", std::move(source));
   input.properties = readProperties(input.program, {}, lookupIn(input.program));
   for (const Finding& finding : input.program.findings) EXPECT_NE(finding.severity, Severity::Error) << finding.message;
   return input;
+}
+
+/// A main program of these network lines; property lines begin with //@.
+inline ProgramInput inputOf(const std::string& properties, const std::string& networks,
+                            const std::string& otherBlocks = "") {
+  return inputOfSource("ORGANIZATION_BLOCK MAIN:OB1\n" + properties + "BEGIN\n" + networks +
+                       "END_ORGANIZATION_BLOCK\n" + otherBlocks);
 }
 
 /// Default environment: scans of 1 ms to the watchdog's limit.

@@ -14,16 +14,13 @@ Outcome outcomeBehind(const std::string& call) {
   const auto block = [&](const std::string& number, const std::string& bit) {
     return "DATA_BLOCK DB " + number + data.substr(0, data.find('%')) + bit + data.substr(data.find('%') + 1);
   };
-  ProgramInput input;
-  input.program = readText(
-      "test.awl", block("1", "FALSE") + block("2", "TRUE") +
-                      "FUNCTION FC 1 : VOID\nVAR_INPUT x : WORD; END_VAR\nBEGIN\nNETWORK\nNOP 0;\nEND_FUNCTION\n"
-                      "FUNCTION_BLOCK FB 1\nVAR_OUTPUT y : WORD; END_VAR\nBEGIN\nNETWORK\nNOP 0;\nEND_FUNCTION_BLOCK\n"
-                      "DATA_BLOCK DB 3 FB 1\nBEGIN\nEND_DATA_BLOCK\n"
-                      "ORGANIZATION_BLOCK OB 1\n//@ prove first: not Q0.0\nBEGIN\nNETWORK\nOPN DB 1;\n" +
-                      call + "\nA DBX 0.0;\n= Q 0.0;\nEND_ORGANIZATION_BLOCK\n");
-  input.properties = readProperties(input.program, {}, lookupIn(input.program));
-  for (const Finding& finding : input.program.findings) EXPECT_NE(finding.severity, Severity::Error) << finding.message;
+  const ProgramInput input =
+      inputOfSource(block("1", "FALSE") + block("2", "TRUE") +
+                    "FUNCTION FC 1 : VOID\nVAR_INPUT x : WORD; END_VAR\nBEGIN\nNETWORK\nNOP 0;\nEND_FUNCTION\n"
+                    "FUNCTION_BLOCK FB 1\nVAR_OUTPUT y : WORD; END_VAR\nBEGIN\nNETWORK\nNOP 0;\nEND_FUNCTION_BLOCK\n"
+                    "DATA_BLOCK DB 3 FB 1\nBEGIN\nEND_DATA_BLOCK\n"
+                    "ORGANIZATION_BLOCK OB 1\n//@ prove first: not Q0.0\nBEGIN\nNETWORK\nOPN DB 1;\n" +
+                    call + "\nA DBX 0.0;\n= Q 0.0;\nEND_ORGANIZATION_BLOCK\n");
   return outcomeOf(prove(input.program, input.properties, usualOptions()), "first");
 }
 
@@ -44,12 +41,8 @@ TEST(Step7Call, RunsThatDoNotCallKeepTheirRegisters) {
       "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\nL 7;\nEND_FUNCTION\nFUNCTION FC 2 : VOID\nBEGIN\nNETWORK\nL 8;\n"
       "END_FUNCTION\n";
   const auto outcomes = [&](const std::string& properties, const std::string& statements) {
-    ProgramInput input;
-    input.program = readText("test.awl", blocks + "ORGANIZATION_BLOCK OB 1\n" + properties + "BEGIN\nNETWORK\n" +
+    const ProgramInput input = inputOfSource(blocks + "ORGANIZATION_BLOCK OB 1\n" + properties + "BEGIN\nNETWORK\n" +
                                              statements + "\nEND_ORGANIZATION_BLOCK\n");
-    input.properties = readProperties(input.program, {}, lookupIn(input.program));
-    for (const Finding& finding : input.program.findings)
-      EXPECT_NE(finding.severity, Severity::Error) << finding.message;
     std::vector<Outcome> found;
     for (const ProofResult& result : prove(input.program, input.properties, usualOptions()).results)
       found.push_back(result.outcome);
@@ -67,16 +60,13 @@ TEST(Step7Call, RunsThatDoNotCallKeepTheirRegisters) {
 
 /// The verdicts of the properties a, b, c of an OB1 with these directives and statements.
 std::vector<Outcome> outcomesOf(const std::string& directives, const std::string& statements) {
-  ProgramInput input;
-  input.program = readText("test.awl",
-                           "DATA_BLOCK DB 1\nSTRUCT\n  text : STRING [4];\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n"
-                           "ORGANIZATION_BLOCK OB 1\n" +
-                               directives +
-                               "VAR_TEMP\n  start : ARRAY [0 .. 19] OF BYTE;\n  date : DATE_AND_TIME;\nEND_VAR\n"
-                               "BEGIN\nNETWORK\n" +
-                               statements + "\nEND_ORGANIZATION_BLOCK\n");
-  input.properties = readProperties(input.program, {}, lookupIn(input.program));
-  for (const Finding& finding : input.program.findings) EXPECT_NE(finding.severity, Severity::Error) << finding.message;
+  const ProgramInput input = inputOfSource(
+      "DATA_BLOCK DB 1\nSTRUCT\n  text : STRING [4];\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n"
+      "ORGANIZATION_BLOCK OB 1\n" +
+      directives +
+      "VAR_TEMP\n  start : ARRAY [0 .. 19] OF BYTE;\n  date : DATE_AND_TIME;\nEND_VAR\n"
+      "BEGIN\nNETWORK\n" +
+      statements + "\nEND_ORGANIZATION_BLOCK\n");
   const ProofRun run = prove(input.program, input.properties, usualOptions());
   std::vector<Outcome> outcomes;
   for (const char* name : {"a", "b", "c"}) outcomes.push_back(outcomeOf(run, name));
@@ -87,14 +77,12 @@ std::vector<Outcome> outcomesOf(const std::string& directives, const std::string
 // starts it no time has passed.
 TEST(Step7Call, IecTimersReadTheTimeOnce) {
   for (const int timer : {3, 4, 5}) {
-    ProgramInput input;
-    input.program = readText(
-        "test.awl", fmt::format("DATA_BLOCK DB 2\nSFB {}\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\n"
-                                "//@ prove a: MD4 <= 300\n//@ prove b: not prev(I0.0) and I0.0 implies MD4 = 0\n"
-                                "BEGIN\nNETWORK\nCALL SFB {}, DB 2 (IN := I 0.0, PT := T#300MS, Q := Q 0.0, "
-                                "ET := MD 4);\nEND_ORGANIZATION_BLOCK\n",
-                                timer, timer));
-    input.properties = readProperties(input.program, {}, lookupIn(input.program));
+    const ProgramInput input =
+        inputOfSource(fmt::format("DATA_BLOCK DB 2\nSFB {}\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\n"
+                                  "//@ prove a: MD4 <= 300\n//@ prove b: not prev(I0.0) and I0.0 implies MD4 = 0\n"
+                                  "BEGIN\nNETWORK\nCALL SFB {}, DB 2 (IN := I 0.0, PT := T#300MS, Q := Q 0.0, "
+                                  "ET := MD 4);\nEND_ORGANIZATION_BLOCK\n",
+                                  timer, timer));
     const ProofRun run = prove(input.program, input.properties, usualOptions());
     EXPECT_EQ(outcomeOf(run, "a"), Outcome::Proved) << timer;
     // A pulse that runs is not started again: its time goes on when IN rises once more.
@@ -106,17 +94,14 @@ TEST(Step7Call, IecTimersReadTheTimeOnce) {
 // is written.
 TEST(Step7Call, APointerIntoTheInstanceIsBoundedByComparisons) {
   const auto outcome = [](const std::string& bounds) {
-    ProgramInput input;
-    input.program = readText(
-        "test.awl",
+    const ProgramInput input = inputOfSource(
         "FUNCTION_BLOCK FB 10\nVAR_INPUT n : INT; END_VAR\nVAR cnt : INT; arr : ARRAY [0..9] OF INT; last : INT; "
         "END_VAR\nBEGIN\nNETWORK\n" +
-            bounds +
-            "L #n; SLD 4; L P##arr; +D; LAR1; L 5; T DIW [AR1,P#0.0];\nerr: NOP 0;\nEND_FUNCTION_BLOCK\n"
-            "DATA_BLOCK DB 10 FB 10\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\n"
-            "//@ prove a: DB10.DBW2 = 0 and DB10.DBW24 = 0\nBEGIN\nNETWORK\nCALL FB 10, DB 10 (n := IW 4);\n"
-            "END_ORGANIZATION_BLOCK\n");
-    input.properties = readProperties(input.program, {}, lookupIn(input.program));
+        bounds +
+        "L #n; SLD 4; L P##arr; +D; LAR1; L 5; T DIW [AR1,P#0.0];\nerr: NOP 0;\nEND_FUNCTION_BLOCK\n"
+        "DATA_BLOCK DB 10 FB 10\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\n"
+        "//@ prove a: DB10.DBW2 = 0 and DB10.DBW24 = 0\nBEGIN\nNETWORK\nCALL FB 10, DB 10 (n := IW 4);\n"
+        "END_ORGANIZATION_BLOCK\n");
     const ProofRun run = prove(input.program, input.properties, usualOptions(5));
     EXPECT_TRUE(run.disagreements.empty());
     return outcomeOf(run, "a");

@@ -7,11 +7,8 @@ namespace {
 /// A source with properties behind the first line of its OB1.
 ProofRun proofOfSource(const std::string& directives, const std::string& blocks, const std::string& statements,
                        const char* s5Time = "") {
-  ProgramInput input;
-  input.program = readText("test.awl", blocks + "ORGANIZATION_BLOCK OB 1\n" + directives + "BEGIN\nNETWORK\n" +
+  const ProgramInput input = inputOfSource(blocks + "ORGANIZATION_BLOCK OB 1\n" + directives + "BEGIN\nNETWORK\n" +
                                            statements + "\nEND_ORGANIZATION_BLOCK\n");
-  input.properties = readProperties(input.program, {}, lookupIn(input.program));
-  for (const Finding& finding : input.program.findings) EXPECT_NE(finding.severity, Severity::Error) << finding.message;
   ProverOptions options = usualOptions(60);
   options.time.high = 150;  // cycle monitoring of an S7-300
   if (*s5Time != '\0') {

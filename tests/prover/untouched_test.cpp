@@ -44,15 +44,12 @@ TEST(Untouched, WhatTheProgramDecidesIsNotVacuous) {
 
 /// An FB writes its instance, an open block and what its caller gives; nobody writes DB3.DBX2.1 and M9.0.
 TEST(Untouched, DataBlocksAreWrittenThroughRegisters) {
-  ProgramInput input;
-  input.program = readText(
-      "test.awl",
+  const ProgramInput input = test::inputOfSource(
       "FUNCTION_BLOCK FB 1\nVAR_INPUT x : BOOL; END_VAR\nVAR_OUTPUT y : BOOL; END_VAR\nVAR n : INT; END_VAR\nBEGIN\n"
       "NETWORK\nA #x; = #y;\nEND_FUNCTION_BLOCK\nDATA_BLOCK DB 3 FB 1\nBEGIN\nEND_DATA_BLOCK\nDATA_BLOCK DB 4\n"
       "STRUCT a : BOOL; END_STRUCT\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\n//@ prove a: DB3.DBX2.0 implies "
       "I0.0\n//@ prove b: DB4.DBX0.0 implies I0.1\n//@ prove c: Q0.0 implies I0.0\n//@ prove d: never M9.0\nBEGIN\n"
       "NETWORK\nCALL FB 1, DB 3 (x := I 0.0, y := Q 0.0);\nOPN DB 4;\nA I 0.1;\n= DBX 0.0;\nEND_ORGANIZATION_BLOCK\n");
-  input.properties = readProperties(input.program, {}, lookupIn(input.program));
   const ProofRun run = prove(input.program, input.properties, usualOptions());
   for (const char* name : {"a", "b", "c"}) {
     EXPECT_EQ(outcomeOf(run, name), Outcome::Proved) << name;

@@ -1,0 +1,29 @@
+// Random programs of the S7-300/400 as the naive interpreter's campaigns make them, read by the project's own reader:
+// for engines that are compared with the reference engine.
+#pragma once
+
+#include <string>
+
+#include "frontend/input/project.hpp"
+#include "tests/naive7/program_generator.hpp"
+
+namespace rungproof::test {
+
+struct RandomStep7 {
+  std::string text;
+  Program program;
+};
+
+/// `functions`: trigonometry, EXP and LN too (GeneratorChoices).
+inline RandomStep7 randomStep7(std::uint64_t seed, bool is400, bool functions) {
+  naive7::GeneratorChoices choices;
+  choices.is400 = is400;
+  choices.functions = functions;
+  RandomStep7 random{naive7::ProgramGenerator(seed, choices).program(), {}};
+  ReadOptions reading;
+  reading.dialect = is400 ? "s7-400" : "s7-300";
+  random.program = readText("random.awl", random.text, reading);
+  return random;
+}
+
+}  // namespace rungproof::test
