@@ -223,6 +223,7 @@ GateClauses::Clauses GateClauses::clausesOf(int root, std::span<const int> guide
   result.literals = {literal(yes), 0};
   const int wanted = literal(root);
   result.literals.insert(result.literals.end(), {wanted, 0});
+  for (const int l : guide) result.guide.push_back(literal(l));
   while (!open.empty()) {
     const int v = open.back();
     open.pop_back();
@@ -232,10 +233,6 @@ GateClauses::Clauses GateClauses::clausesOf(int root, std::span<const int> guide
       const int l = literals_[i];
       result.literals.push_back(l == 0 ? 0 : l == own ? named : l == -own ? -named : literal(l));
     }
-  }
-  for (const int l : guide) {
-    if (const int named = number[static_cast<std::size_t>(std::abs(l))]; named != 0)
-      result.guide.push_back(l < 0 ? -named : named);
   }
   return result;
 }

@@ -52,7 +52,7 @@ class GateClauses {
     int variables = 0;
     std::vector<int> guide{};  ///< literals that follow from the clauses one after the other, presumably
   };
-  /// `guide`: those that the root rests on become Clauses::guide.
+  /// `guide` becomes Clauses::guide; what its literals rest on is defined too.
   Clauses clausesOf(int root, std::span<const int> guide = {}) const;
 
  private:
