@@ -59,6 +59,11 @@ void BitBlast::add(const std::vector<Node>& nodes) {
   for (const Node n : nodes) remember(n);
 }
 
+void BitBlast::tell(Node valid) {
+  bits_.constraints.push_back(of(valid)[0]);
+  total_.push_back(true);
+}
+
 void BitBlast::collectCone(const std::vector<Node>& roots, const std::unordered_set<std::uint32_t>& open,
                            const Budget* budget) {
   std::vector<bool> inCone(graph_.size(), false);

@@ -48,6 +48,10 @@ class BitBlast {
   bool contains(Node n) const { return literals_.contains(indexOf(n)); }
   /// Adds nodes over variables of the cone; they count as `extra`.
   void add(const std::vector<Node>& nodes);
+  /// The node, which was added, is 1 in every scan whatever the variables are: told to all who work on the bits.
+  void tell(Node valid);
+  /// The node, which was added, is the next of bits().guide.
+  void guide(Node n, bool isAfter) { bits_.guide.push_back({of(n)[0], isAfter}); }
   /// REAL operations that were replaced by free inputs.
   const std::vector<Node>& unmodelled() const { return unmodelled_; }
   /// Input indices of bits() that stand for REAL operations.

@@ -45,6 +45,13 @@ struct BitSystem {
   std::vector<std::uint32_t> gateVariables;
   std::vector<Lit> constraints;
   std::vector<Lit> bads;
+  /// Gates that presumably are true in every scan from a state that satisfies the invariants at hand, or after it, each
+  /// easy to see after those before it: who asks what follows from invariants first asks for them.
+  struct Guiding {
+    Lit gate = 0;
+    bool isAfter = false;  ///< of the state after the scan
+  };
+  std::vector<Guiding> guide;
 
   Lit addInput(std::string name = {});
   Lit addLatch(std::string name, LatchInit init);

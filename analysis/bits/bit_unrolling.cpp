@@ -2,6 +2,7 @@
 #include "analysis/bits/bit_unrolling.hpp"
 
 #include "analysis/bits/bit_simulator.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
@@ -35,6 +36,25 @@ BitTrace Unrolling::trace(int depth, const BitCnf& cnf) const {
     for (const std::uint32_t v : system_.inputs) scan.push_back(cnf.value(frames_[frame][v]));
   }
   return result;
+}
+
+void teach(Sat& sat, int literal, std::span<const int> assumptions, const Budget& budget) {
+  std::vector<int> denied(assumptions.begin(), assumptions.end());
+  denied.push_back(-literal);
+  if (sat.solve(denied, budget.slice(schedule::guideSeconds)) != Sat::Outcome::Unsatisfiable) return;
+  std::vector<int> clause{literal};
+  for (const int assumed : assumptions) {
+    if (sat.failed(assumed)) clause.push_back(-assumed);
+  }
+  sat.add(clause);
+}
+
+void followGuide(const BitSystem& system, Unrolling& steps, int frame, Sat& sat, BitCnf& cnf,
+                 std::span<const int> assumptions, const Budget& budget) {
+  for (const auto& [gate, isAfter] : system.guide) {
+    const Lit l = steps.at(frame + (isAfter ? 1 : 0), gate);
+    if (l != trueLit && l != falseLit) teach(sat, cnf.literal(l), assumptions, budget);
+  }
 }
 
 bool isViolation(const BitSystem& system, const BitTrace& trace) {

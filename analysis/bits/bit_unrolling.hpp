@@ -2,6 +2,7 @@
 // structural hashing folds what the initial state decides. Tested by tests/solver/bit_system_test.cpp.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "analysis/bits/bit_cnf.hpp"
@@ -31,6 +32,13 @@ class Unrolling {
   BitSystem graph_;
   std::vector<std::vector<Lit>> frames_;  ///< by scan, by variable
 };
+
+/// Teaches the solver that the literal follows from the assumptions, where that is soon seen.
+void teach(Sat& sat, int literal, std::span<const int> assumptions, const Budget& budget);
+
+/// Teaches the solver what of the system's guide follows in that scan from the assumptions.
+void followGuide(const BitSystem& system, Unrolling& steps, int frame, Sat& sat, BitCnf& cnf,
+                 std::span<const int> assumptions, const Budget& budget);
 
 /// Does the run keep all constraints and is some bad literal true in its last scan?
 bool isViolation(const BitSystem& system, const BitTrace& trace);

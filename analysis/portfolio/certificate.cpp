@@ -32,7 +32,34 @@ Formula keeps(const KeptDifference& d) {
                 equals({d.difference, 1}, {d.difference, 0})});
 }
 
+/// The theorem for the scan from that state to the next.
+Formula keeps(const KeptSum& sum, int scan) {
+  std::vector<Formula> count;
+  for (const SumTerm& t : sum.terms) count.push_back(equals({t.term, scan + 1}, {t.next, scan}));
+  return anyOf({notOf(allOf(std::move(count))), equals({sum.sum, scan + 1}, {sum.next, scan})});
+}
+
 }  // namespace
+
+void CertificateWriter::addSums(Parts& parts, const WordCertificate& certificate, int scan) const {
+  for (const KeptSum& sum : certificate.sums) {
+    if (consistsOfSums(*system_.graph, sum)) parts.push_back(keeps(sum, scan));
+  }
+}
+
+/// Words become what is said where they count, and then their sum stays what it is.
+void CertificateWriter::addGuide(const WordCertificate& certificate, int scan) {
+  std::vector<Formula>& guide = obligations_.back().guide;
+  for (const KeptSum& sum : certificate.sums) {
+    addAll(guide, sum.facts, scan);
+    for (const SumTerm& t : sum.terms) {
+      const Formula becomes = equals({t.term, scan + 1}, {t.next, scan});
+      guide.push_back(t.counts == noNode ? becomes : anyOf({notOf(truthOf(t.counts, scan)), becomes}));
+    }
+    addAll(guide, sum.steps, scan);
+    addAll(guide, sum.facts, scan + 1);
+  }
+}
 
 void CertificateWriter::oblige(const char* name, Parts parts) {
   obligations_.push_back({questions_.size() - 1, name, allOf(std::move(parts))});
@@ -62,8 +89,13 @@ void CertificateWriter::consecution(const WordCertificate& certificate) {
     obligations_.push_back({questions_.size() - 1, "arithmetic", {}, d});
     parts.push_back(keeps(d));
   }
+  for (const KeptSum& sum : certificate.sums) {
+    if (consistsOfSums(*system_.graph, sum)) obligations_.push_back({questions_.size() - 1, "arithmetic", {}, sum});
+  }
+  addSums(parts, certificate, 0);
   parts.push_back(notAll(certificate.invariant, 1));
   oblige("consecution", std::move(parts));
+  addGuide(certificate, 0);
   if (certificate.isChain) addAll(obligations_.back().guide, certificate.invariant, 1);
 }
 
@@ -73,6 +105,7 @@ void CertificateWriter::step(const Question& question, const WordCertificate& ce
   for (int scan = 0; scan <= certificate.k; ++scan) {
     addAll(parts, certificate.immediate.empty() ? certificate.invariant : certificate.immediate, scan);
     addAll(parts, system_.constraints, scan);
+    addSums(parts, certificate, scan);
     const Formula bad = truthOf(question.bad, scan);
     parts.push_back(scan < certificate.k ? notOf(bad) : bad);
   }
@@ -84,6 +117,7 @@ void CertificateWriter::step(const Question& question, const WordCertificate& ce
     }
   }
   oblige("safety", std::move(parts));
+  for (int scan = 0; scan <= certificate.k; ++scan) addGuide(certificate, scan);
 }
 
 /// Some of the first k scans from an initial state is bad.
@@ -158,9 +192,10 @@ std::vector<CheckResult> CertificateWriter::checkStepByStep(const CheckLimits& l
     if (literal == -GateClauses::yes) return CheckResult::Valid;
     const double used = std::chrono::duration<double>(Clock::now() - begin).count();
     std::vector<int> guiding;
+    const double most = guide.empty() ? schedule::stepByStepSeconds : schedule::guidedSeconds;
     for (const Formula& formula : guide) guiding.push_back(clauses.literalOf(formula));
     return refute(clauses.gates().clausesOf(literal, guiding),
-                  {std::min({schedule::stepByStepSeconds, limits.each, limits.total - used}), limits.cancel});
+                  {std::min({most, limits.each, limits.total - used}), limits.cancel});
   };
   for (std::size_t i = 0; i < obligations_.size(); ++i) {
     const Obligation& o = obligations_[i];

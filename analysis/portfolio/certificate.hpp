@@ -26,6 +26,7 @@ struct WordCertificate {
   /// Each of the invariant follows after a scan from those before it with little search, presumably.
   bool isChain = false;
   std::vector<KeptDifference> differences;  ///< used in the step from I to I; each is an obligation of its own
+  std::vector<KeptSum> sums;                ///< the same, and where bad is excluded
   /// Nodes that may have any value: the proof does not look below them. Only with k = 0; then bad is excluded in every
   /// scan in which the invariant holds, whatever the constraints.
   std::vector<Node> open;
@@ -51,6 +52,8 @@ class CertificateWriter {
 
  private:
   using Parts = std::vector<Formula>;
+  void addSums(Parts& parts, const WordCertificate& certificate, int scan) const;
+  void addGuide(const WordCertificate& certificate, int scan);
   void oblige(const char* name, Parts parts);
   void initiation(const WordCertificate& certificate);
   void consecution(const WordCertificate& certificate);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numeric>
 #include <string_view>
 
@@ -57,13 +58,53 @@ std::string CertificateText::theorem(const KeptDifference& d) {
                      left[1], right[1], left[3], right[3], left[2], right[2]);
 }
 
+/// The theorem for any words under the sums, once for each form of it: else empty.
+std::string CertificateText::theorem(const KeptSum& sum) {
+  const Graph& graph = *system_.graph;
+  const int width = graph[sum.sum].width;
+  const auto formula = [&](const std::string& prefix, std::string& declarations) {
+    std::unordered_map<std::uint32_t, std::string> symbols;
+    const auto variable = [&](const std::string& name, int bits) {
+      declarations += fmt::format("(declare-fun {}{} () (_ BitVec {}))\n", prefix, name, bits);
+      return prefix + name;
+    };
+    const std::function<std::string(Node)> written = [&](Node n) -> std::string {
+      const NodeData& node = graph[n];
+      if (node.op == Op::Add || node.op == Op::Sub)
+        return fmt::format("({} {} {})", node.op == Op::Add ? "bvadd" : "bvsub", written(node.child[0]),
+                           written(node.child[1]));
+      if (node.op == Op::Sext || node.op == Op::Zext)
+        return fmt::format("((_ {} {}) {})", node.op == Op::Sext ? "sign_extend" : "zero_extend",
+                           node.width - graph[node.child[0]].width, written(node.child[0]));
+      if (node.op == Op::Constant) return fmt::format("(_ bv{} {})", node.value, node.width);
+      const auto [at, isNew] = symbols.emplace(indexOf(n), std::string());
+      if (isNew) at->second = variable(fmt::format("part{}", symbols.size()), node.width);
+      return at->second;
+    };
+    std::string counts, after = fmt::format("(_ bv0 {})", width), before = after;
+    for (std::size_t i = 0; i < sum.terms.size(); ++i) {
+      const SumTerm& t = sum.terms[i];
+      const std::string then = variable(fmt::format("after{}", i), width), op = t.isSubtracted ? "bvsub" : "bvadd";
+      counts += fmt::format(" (= {} {})", then, written(t.next));
+      after = fmt::format("({} {} {})", op, after, then);
+      before = fmt::format("({} {} {})", op, before, written(t.term));
+    }
+    const std::string next = written(sum.next), now = written(sum.sum);
+    // What the sum is beside the terms, a constant, is the same before and after.
+    return fmt::format("(and true true{} (not (= (bvsub {} {}) (bvsub {} {}))))", counts, next, after, now, before);
+  };
+  std::string ignored;
+  const auto [at, isNew] = proved_.emplace(formula("", ignored), static_cast<int>(proved_.size()));
+  return isNew ? formula(fmt::format("theorem{}.", at->second), theorems_) : std::string();
+}
+
 void CertificateText::add(const Obligation& obligation, const std::string& question) {
   std::string name = question;
   std::replace_if(
       name.begin(), name.end(), [](unsigned char c) { return c < 32; }, ' ');
   Entry entry{fmt::format("{} of: {}", obligation.name, name), {}};
   if (obligation.theorem) {
-    entry.formula = theorem(*obligation.theorem);
+    entry.formula = std::visit([&](const auto& kept) { return theorem(kept); }, *obligation.theorem);
     if (entry.formula.empty()) return;
   } else if (obligation.surface) {
     SmtText smt(system_, fmt::format(".{}", *obligation.surface + 1), surfaces_[*obligation.surface]);

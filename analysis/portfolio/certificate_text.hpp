@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <variant>
 #include <vector>
 
 #include "analysis/graph/smt_text.hpp"
@@ -19,9 +20,9 @@ struct Obligation {
   std::size_t certificate;  ///< by the order in which they were added
   std::string name;         ///< "initiation", "consecution", "base", "safety", "arithmetic"
   Formula formula;
-  std::optional<KeptDifference> theorem{};  ///< instead of the formula
-  std::optional<std::size_t> surface{};     ///< in which open nodes have any value
-  std::vector<Formula> guide{};             ///< what follows on the way to the contradiction, one after the other
+  std::optional<std::variant<KeptDifference, KeptSum>> theorem{};  ///< instead of the formula
+  std::optional<std::size_t> surface{};                            ///< in which open nodes have any value
+  std::vector<Formula> guide{};  ///< what follows on the way to the contradiction, one after the other
 };
 
 class CertificateText {
@@ -44,6 +45,7 @@ class CertificateText {
   std::vector<SmtText::Definition> definitions() const;
   std::string declarations() const { return theorems_ + smt_.declarations() + surfaceDeclarations_; }
   std::string theorem(const KeptDifference& d);
+  std::string theorem(const KeptSum& sum);
 
   const TransitionSystem& system_;
   const std::vector<OpenNodes>& surfaces_;

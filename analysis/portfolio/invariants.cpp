@@ -73,6 +73,7 @@ class Miner {
       else {
         for (std::size_t i = 0; i < watched_.size(); ++i)
           signatures_[i].push_back(sampled(runs.simulator(), runs.live(), watched_[i]));
+        refine([&](Lit l) { return runs.simulator().value(l); }, runs.live());
         runs.step();
       }
     }
@@ -294,11 +295,18 @@ class Miner {
       const std::vector<int> assumed = assumeCandidates();
       const std::vector<Group> groups = candidatesAfterScan();
       std::size_t asked = 0;
+      bool isGuided = system_.guide.empty();
       for (Sat::Outcome outcome = Sat::Outcome::Unsatisfiable; asked < groups.size(); ++asked) {
         const Group& group = groups[(first + asked) % groups.size()];
         std::vector<int> assumptions = assumed;
         if (group.denied != 0) assumptions.push_back(group.denied);
-        outcome = sat_.solve(assumptions, budget_, group.some);
+        outcome = sat_.solve(assumptions, isGuided ? budget_ : budget_.slice(schedule::unguidedSeconds), group.some);
+        if (outcome == Sat::Outcome::Unknown && !isGuided) {
+          followGuide(system_, steps_, 0, sat_, cnf_, assumed, budget_);
+          for (const int broken : group.some) teach(sat_, -broken, assumptions, budget_);
+          isGuided = true;
+          outcome = sat_.solve(assumptions, budget_, group.some);
+        }
         if (outcome == Sat::Outcome::Unknown) return false;
         if (outcome == Sat::Outcome::Satisfiable) break;
       }

@@ -10,9 +10,10 @@ namespace rungproof {
 
 class InvariantCores::Question {
  public:
-  Question(const BitSystem& system, const Clauses& invariants)
+  Question(const BitSystem& system, const Clauses& invariants, const Budget& budget)
       : system_(system),
         invariants_(invariants),
+        budget_(budget),
         steps_(system, Unrolling::Start::Any),
         sat_(Sat::Use::Many),
         cnf_(steps_.graph(), sat_),
@@ -32,6 +33,7 @@ class InvariantCores::Question {
       for (const Lit l : invariants_[i]) clause.push_back(cnf_.literal(steps_.at(frame, l)));
       sat_.add(clause);
     }
+    followGuide(system_, steps_, frame, sat_, cnf_, switches_, budget_);
   }
   void addClause(int frame, const std::vector<Lit>& clause) {
     std::vector<int> literals;
@@ -82,6 +84,7 @@ class InvariantCores::Question {
 
   const BitSystem& system_;
   const Clauses& invariants_;
+  const Budget budget_;  ///< for what is learned beforehand
   Unrolling steps_;
   Sat sat_;
   BitCnf cnf_;
@@ -106,10 +109,10 @@ InvariantCores::Needed InvariantCores::of(Lit bad, const Certificate& certificat
     }
     return true;
   };
-  if (!closure_) closure_ = std::make_unique<Question>(system_, invariants_);
+  if (!closure_) closure_ = std::make_unique<Question>(system_, invariants_, budget);
   if (certificate.k > 0) {
     // The step case: invariants in every scan.
-    Question path(system_, invariants_);
+    Question path(system_, invariants_, budget);
     std::vector<int> denied{path.literal(certificate.k, bad)};
     for (int frame = 1; frame <= certificate.k; ++frame) {
       path.constrain(frame);
@@ -120,7 +123,7 @@ InvariantCores::Needed InvariantCores::of(Lit bad, const Certificate& certificat
   } else if (certificate.clauses.empty()) {
     if (!take(closure_->core({closure_->literal(0, bad)}, budget))) return all;
   } else {
-    Question path(system_, invariants_);
+    Question path(system_, invariants_, budget);
     for (const std::vector<Lit>& clause : certificate.clauses) path.addClause(0, clause);
     if (!take(path.core({path.literal(0, bad)}, budget))) return all;
     for (const std::vector<Lit>& clause : certificate.clauses) {

@@ -104,11 +104,11 @@ class Answers {
     return answers;
   }
 
-  /// The certificate about the system with whole words; false if it rests on states being different, which it cannot
-  /// say.
+  /// The certificate about the system with whole words; false if it rests on states being different or on sums, which
+  /// it cannot say.
   static bool onWholeWords(const TransitionSystem& system, const Question& question, WordCertificate& certificate,
                            const CappedSystem& capped) {
-    if (certificate.simplePath) return false;
+    if (certificate.simplePath || !certificate.sums.empty()) return false;
     Graph& graph = *system.graph;
     const auto whole = [&](Node& n) { n = capped.onGivenSystem(graph, n); };
     for (Node& n : certificate.invariant) whole(n);

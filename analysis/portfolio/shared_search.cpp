@@ -137,6 +137,7 @@ void SharedSearch::induce(int most, const std::vector<std::vector<Lit>>& invaria
         for (const Lit l : clause) literals.push_back(solver->cnf.literal(steps.at(solver->scans, l)));
         solver->sat.add(literals);
       }
+      followGuide(system_, steps, solver->scans, solver->sat, solver->cnf, {}, budget);
     }
     return *solver;
   };

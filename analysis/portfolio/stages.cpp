@@ -18,6 +18,7 @@
 #include "analysis/portfolio/invariants_covers.hpp"
 #include "analysis/portfolio/invariants_gates.hpp"
 #include "analysis/portfolio/invariants_groups.hpp"
+#include "analysis/portfolio/invariants_sums.hpp"
 #include "analysis/portfolio/invariants_timers.hpp"
 #include "analysis/portfolio/invariants_words.hpp"
 #include "analysis/portfolio/race.hpp"
@@ -94,6 +95,7 @@ class Stages {
 
   void answerTogether() {
     begin({});
+    mineSums();
     if (!open_.empty()) searchTogether(1, true);
     if (minePairsAgain(true)) searchTogether(1, false);
     if (open_.empty() || !options_.check) return;
@@ -101,6 +103,28 @@ class Stages {
     if (findGroups()) searchTogether(1, false);
     if (minePairsAgain(false)) searchTogether(1, false);
     if (tieGates()) searchTogether(1, false);
+  }
+  /// What becomes of the sums that questions ask for is told to the solvers of this stage, and what is kept of them
+  /// becomes invariants.
+  void mineSums() {
+    if (open_.empty() || !options_.check || !options_.techniques.has(Technique::Sums)) return;
+    const TechniqueTurn turn(options_.log, Technique::Sums, open_.size());
+    AskedSums asked = sumsAskedFor(system_, open_);
+    if (asked.sums.empty()) return;
+    mined_ = Technique::Sums;
+    blast_->add(asked.theorems);
+    blast_->add(asked.guesses);
+    for (const GuideNode& g : asked.guide) blast_->add({g.node});
+    for (const Node theorem : asked.theorems) blast_->tell(theorem);
+    for (const GuideNode& g : asked.guide) blast_->guide(g.node, g.isAfter);
+    std::vector<std::vector<Lit>> guesses;
+    for (const Node n : asked.guesses) guesses.push_back({blast_->of(n)[0]});
+    MiningOptions mining;
+    mining.seed = options_.seed;
+    mining.pairsOnly = true;
+    const Budget limit = budget(schedule::sumSeconds);
+    invariants_ = mineInvariants(blast_->bits(), {}, guesses, mining, limit);
+    sums_ = std::move(asked.sums);
   }
   bool minePairsAgain(bool askedOnly) {
     if (open_.empty() || !options_.check) return false;
@@ -123,6 +147,7 @@ class Stages {
   /// Starts a stage: blasts the open questions. Throws OutOfBudget.
   void begin(const std::vector<Node>& truths) {
     differences_.clear();
+    sums_.clear();
     joinedClauses_.clear();
     invariants_ = {};
     cores_.reset();
@@ -185,8 +210,9 @@ class Stages {
     if (options_.techniques.has(Technique::ShortInduction)) {
       const std::size_t before = search.openCount();
       TechniqueTurn turn(options_.log, Technique::ShortInduction, before);
+      const double least = sums_.empty() ? 0 : schedule::sumSeconds;
       search.induce(options_.bound > 0 ? std::min(most, options_.bound - 1) : most, invariants_.clauses,
-                    budget(seconds * schedule::inductionShare));
+                    budget(std::max(least, seconds * schedule::inductionShare)));
       turn.settled(before - search.openCount());
     }
     const double each = share();
@@ -309,12 +335,12 @@ class Stages {
   bool mineDifferences(BoundScope scope) {
     if (!options_.techniques.has(Technique::Bounds)) return false;
     const TechniqueTurn turn(options_.log, Technique::Bounds, open_.size());
-    const MinedBounds mined = mineBounds(system_, *blast_, invariants_, options_.seed, scope,
-                                         budget(std::min({options_.seconds * schedule::boundShare,
-                                                          isQuick() && scope >= BoundScope::All ? schedule::quickBounds
-                                                                                                : schedule::mostMining,
-                                                          options_.left() * schedule::miningShare})),
-                                         tried_);
+    const MinedBounds mined = mineBounds(
+        system_, *blast_, invariants_, options_.seed, scope,
+        budget(std::min({options_.seconds * schedule::boundShare,
+                         isQuick() && scope >= BoundScope::All ? schedule::quickBounds : schedule::mostMining,
+                         options_.left() * schedule::miningShare})),
+        tried_);
     tried_ = mined.templates;
     areBoundsUnfinished_ = mined.isUnfinished;
     if (mined.clauses.empty()) return false;
@@ -409,7 +435,7 @@ class Stages {
     WordCertificate result;
     result.k = given.k;
     result.simplePath = given.simplePath;
-    result.isChain = mined_ == Technique::EqualGates;
+    result.isChain = mined_ == Technique::EqualGates || mined_ == Technique::Sums;
     for (const std::vector<Lit>& clause : whole.clauses) result.invariant.push_back(nodeOf(clause));
     result.immediate = result.invariant;
     append(result.invariant, needed.clauses);
@@ -418,6 +444,11 @@ class Stages {
     for (const Node n : coneOf(*system_.graph, result.invariant)) isUsed[indexOf(n)] = true;
     for (const KeptDifference& d : differences_) {
       if (isUsed[indexOf(d.difference)]) result.differences.push_back(d);
+    }
+    for (const KeptSum& sum : sums_) {
+      const std::vector<Node> under = coneOf(*system_.graph, std::vector{sum.sum});
+      if (std::ranges::any_of(under, [&](Node n) { return isUsed[indexOf(n)] && !isConstant(n); }))
+        result.sums.push_back(sum);
     }
     if (options_.log != nullptr && !needed.clauses.empty())
       options_.log->add(result.differences.empty() ? mined_ : Technique::Bounds, {0, 1, 0});
@@ -431,6 +462,7 @@ class Stages {
     return result;
   }
 
+  bool isConstant(Node n) const { return (*system_.graph)[n].op == Op::Constant; }
   Node nodeOf(const std::vector<Lit>& clause) {
     Node n = system_.graph->constantNode(0, 1);
     for (const Lit l : clause) n = system_.graph->make(Op::Or, 1, n, blast_->nodeOf(l));
@@ -503,6 +535,7 @@ class Stages {
   std::unique_ptr<InvariantCores> cores_;         ///< of invariants_
   std::optional<Certificate> onWholeSystem_;      ///< of the verdict at hand, if it was found on words
   std::vector<KeptDifference> differences_;       ///< that bounds among invariants_ speak of
+  std::vector<KeptSum> sums_;                     ///< that invariants_ speak of
   std::vector<BoundTemplate> tried_;              ///< what bounds were last looked for in this stage
   bool areBoundsUnfinished_ = false;              ///< the time for them has ended
   std::vector<std::vector<Lit>> joinedClauses_;   ///< of blast_'s system

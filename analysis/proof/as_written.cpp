@@ -139,6 +139,22 @@ std::optional<WordCertificate> AsWritten::translated(std::size_t question, bool 
     }
     own.differences.push_back(d);
   }
+  for (KeptSum sum : certificate.sums) {
+    std::vector<Node*> nodes{&sum.sum, &sum.next};
+    for (std::vector<Node>* presumed : {&sum.facts, &sum.steps}) {
+      for (Node& n : *presumed) nodes.push_back(&n);
+    }
+    for (SumTerm& t : sum.terms) {
+      nodes.insert(nodes.end(), {&t.term, &t.next});
+      if (t.counts != noNode) nodes.push_back(&t.counts);
+    }
+    for (Node* n : nodes) {
+      *n = copied(*n);
+      isWhole = isWhole && *n != noNode;
+      followed.push_back(*n);
+    }
+    own.sums.push_back(std::move(sum));
+  }
   if (!isWhole) return std::nullopt;
   std::vector<Node> once = whole.constraints;
   once.push_back(bad);

@@ -114,6 +114,12 @@
   ROW(int, coverScans, 96, "scans", "sampled on 64 runs") \
   ROW(int, coverTrials, 5000, "members", "tried, in all groups") \
   ROW(int, coverGroups, 12, "groups", "that are asked for by induction") \
+  ROW(double, unguidedSeconds, 0.02, "s", "for candidates after a scan, before the guide is asked") \
+  ROW(double, guideSeconds, 0.05, "s", "for each gate of a guide through what a scan makes of invariants") \
+  ROW(double, sumSeconds, 4, "s", "for what is kept of sums that questions ask for") \
+  ROW(std::size_t, sumTerms, 24, "words", "of a sum") \
+  ROW(int, limitsOfSums, 3, "constants", "of these that whole sums are bounded by") \
+  ROW(std::size_t, sumLimits, 8, "constants", "that the words of sums may end at") \
   ROW(std::size_t, correspondingGates, 8000, "gates", "over latches, with these, of which equal ones are looked for") \
   ROW(int, correspondenceScans, 128, "scans", "sampled on 64 runs") \
   ROW(std::size_t, askedTogether, 8, "gates", "that one query asks for: few follow from what is equal to begin with") \
@@ -203,6 +209,7 @@
   ROW(double, judgeShare, 0.6, "of checking", "for the judge, who has the program as it is written") \
   ROW(double, leastCheck, 0.5, "s", "for checking certificates, whatever the deadline says") \
   ROW(double, leastForCertificate, 10, "s", "that a certificate may take, however short the question was") \
+  ROW(double, guidedSeconds, 10, "s", "for one with a guide, which Z3 does not have") \
   ROW(double, stepByStepSeconds, 1, "s", "for an obligation whose refutation is followed step by step, before Z3") \
   ROW(std::size_t, stepsBetweenLooks, 64, "steps", "of a refutation between two looks at the clock") \
   ROW(double, plainCheckSeconds, 3, "s", "for a plain strategy that starts fast, before Z3's own for QF_BV") \

@@ -15,6 +15,7 @@ constexpr std::array techniques = {
     TechniqueInfo{Technique::ShortInduction, "short-induction", "k-induction of a few steps and its base cases, for all questions together"},
     TechniqueInfo{Technique::StatePairs, "state-pairs", "what two truth values of the state say about each other"},
     TechniqueInfo{Technique::Groups, "groups", "groups of truth values of which at most one holds"},
+    TechniqueInfo{Technique::Sums, "sums", "sums of words, which what a scan adds to the words leaves as they are"},
     TechniqueInfo{Technique::EqualGates, "equal-gates", "gates over the state that are always equal (signal correspondence)"},
     TechniqueInfo{Technique::Invariants, "invariants", "clauses over truth values of the state, for a group of questions"},
     TechniqueInfo{Technique::Covers, "covers", "sets of truth values of which one always holds", false},

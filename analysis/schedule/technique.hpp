@@ -19,6 +19,7 @@ enum class Technique : std::uint8_t {
   ShortInduction,
   StatePairs,
   Groups,
+  Sums,
   EqualGates,
   Invariants,
   Covers,

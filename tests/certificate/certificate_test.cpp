@@ -6,6 +6,7 @@
 
 #include "tests/corpus/command_output.hpp"
 #include "tests/corpus/corpus_program.hpp"
+#include "tests/prover/proved_text.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rungproof::test {
@@ -77,6 +78,33 @@ TEST(Certificate, Cvc5AgreesOnTheWholeCorpus) {
   std::printf(
       "cvc5 checked %zu certificates with %zu obligations; %zu questions are decided by the form of the program\n",
       checked, obligations, decidedByForm);
+}
+
+/// Three bins that give pieces to each other, and a book in which each entry is one of debit and one of credit: what a
+/// scan makes of their sums is an obligation of its own, about any words.
+TEST(Certificate, SumsAreKeptByArithmetic) {
+  const std::string bins =
+      "//@ prove pieces: first_scan or VW0 + VW2 + VW4 = 500\nORGANIZATION_BLOCK MAIN:OB1\nBEGIN\n"
+      "NETWORK 1\nLD SM0.1\nMOVW 500, VW0\nNETWORK 2\nLD I0.0\nEU\nAW> VW0, 0\nDECW VW0\nINCW VW2\n"
+      "NETWORK 3\nLD I0.1\nEU\nAW> VW2, 0\nDECW VW2\nINCW VW4\n"
+      "NETWORK 4\nLD I0.2\nEU\nAW> VW4, 0\nDECW VW4\nINCW VW0\nEND_ORGANIZATION_BLOCK\n";
+  const std::string book =
+      "//@ prove totals: VW0 + VW2 = VW100\nORGANIZATION_BLOCK MAIN:OB1\nBEGIN\n"
+      "NETWORK 1\nLD I0.0\nEU\nAW< VW0, 1000\nINCW VW0\nINCW VW100\n"
+      "NETWORK 2\nLD I0.1\nEU\nAW< VW2, 1000\nINCW VW2\nINCW VW100\nEND_ORGANIZATION_BLOCK\n";
+  const TemporaryFolder folder;
+  for (const std::string& source : {bins, book}) {
+    const ProgramInput input = inputOfSource(source);
+    ProverOptions options = usualOptions();
+    options.certificates = true;
+    const ProofRun run = prove(input.program, input.properties, options);
+    ASSERT_EQ(run.results.size(), 1U);
+    ASSERT_EQ(run.results[0].outcome, Outcome::Proved);
+    const std::string& text = run.results[0].certificate;
+    EXPECT_EQ(count(text, "; arithmetic of"), 1U) << text;
+    const std::size_t asked = count(text, "(check-sat)");
+    EXPECT_EQ(count(askCvc5(folder.file("certificate.smt2", text), asked), "unsat\n"), asked);
+  }
 }
 
 /// A bit x that starts with 0 and stays; y follows x. Bad is y.

@@ -215,6 +215,17 @@ inline std::string books(int n) {
   }
   return programOf("//@ external VW200\n" + property("prove books: first_scan or " + sum + " = 1000"), networks);
 }
+/// n bins in a ring, each of which gives a piece to the next while it has one and the next has room.
+inline std::string bins(int n) {
+  std::string networks = network(1, "LD SM0.1\nMOVW 50, VW0\n"), sum = "VW0";
+  for (int i = 0; i < n; ++i) {
+    const std::string from = wordOf(i), to = wordOf((i + 1) % n);
+    networks += network(i + 2, "LD " + bitOf("I", i) + "\nEU\nAW> " + from + ", 0\nAW< " + to + ", 60\nDECW " + from +
+                                   "\nINCW " + to + "\n");
+    if (i > 0) sum += " + " + from;
+  }
+  return programOf(property("prove pieces: first_scan or " + sum + " = 50"), networks);
+}
 /// n pairs of debit and credit in one unit: both totals are equal.
 inline std::string ledgers(int n) {
   std::string networks, debit = "VW0", credit = "VW100";
@@ -266,9 +277,10 @@ inline std::vector<ObligationFamily> obligationFamilies() {
           {"shift register", "PROVED", {8, 32, 64}, 3, shiftRegister},
           {"calls", "PROVED", {10, 50, 100}, 3, calls},
           {"flicker", "PROVED", {50, 3000, 30000}, 3, flicker},
-          {"books", "PROVED", {2, 4, 8}, 1, books},
+          {"books", "PROVED", {2, 4, 8}, 2, books},
+          {"bins", "PROVED", {3, 4, 8}, 3, bins},
           {"ledgers", "PROVED", {2, 4, 8}, 2, ledgers},
-          {"running sum", "PROVED", {2, 4, 8}, 1, runningSum},
+          {"running sum", "PROVED", {2, 4, 8}, 3, runningSum},
           {"mean of two", "PROVED", {100, 4000, 32000}, 3, meanOfTwo}};
 }
 
