@@ -49,4 +49,16 @@ std::uint8_t RealTimeClock::byteAt(std::uint32_t index, std::uint64_t nowMs) con
   return index < fields.size() ? bcd(fields[index]) : 0;
 }
 
+std::array<std::uint8_t, 8> RealTimeClock::dateAndTime(std::uint64_t nowMs) const {
+  std::array<std::uint8_t, 8> result{};
+  for (std::uint32_t i = 0; i < 6; ++i) result[i] = byteAt(i, nowMs);
+  const auto ms = static_cast<int>((restMs_ + static_cast<std::int64_t>(nowMs)) % 1000);
+  const std::int64_t days =
+      floorDivide(secondsAtZero_ + (restMs_ + static_cast<std::int64_t>(nowMs)) / 1000, secondsPerDay);
+  const std::chrono::weekday weekday{epoch + std::chrono::days{days}};
+  result[6] = bcd(ms / 10);
+  result[7] = static_cast<std::uint8_t>(ms % 10 << 4 | (weekday.c_encoding() + 1));
+  return result;
+}
+
 }  // namespace rungproof

@@ -21,6 +21,7 @@ void Simulator::powerCycle() {
   queue_.clear();
   errors_.clear();
   devices_.reset();
+  starts_.reset();
   lastEdge_ = {};
   stoppedBy_ = nullptr;
 }
@@ -32,6 +33,7 @@ void Simulator::run() {
   queue_.clear();
   errors_.clear();
   devices_.reset();
+  starts_.reset();
   lastEdge_ = {};
   stoppedBy_ = nullptr;
 }
@@ -117,7 +119,7 @@ void Simulator::scanInRun(const ScanRequest& request, std::uint32_t lengthUs) {
   beginScan(machine_, ticks);
   for (const Area area : {Area::I, Area::AI}) forced_.apply(area, store_);
   for (const int event : request.events) raiseByStimulus(event);
-  const bool isCompiled = runCompiled(lengthUs);
+  const bool isCompiled = !machine_.halted && runCompiled(lengthUs);
   if (!isCompiled) runProgram(runner);
   if (observer_ != nullptr) observer_->programEnded(machine_);
   passRest(runner, lengthUs);
@@ -153,6 +155,13 @@ void Simulator::finishScan(std::uint32_t lengthUs) {
   clockMs_ = startMs_ + scanTicks_;
   if (script_ != nullptr) endScript();
   if (!isRunning()) queue_.clear();
+  starts_.scanEnded(lastScanUs_ / 1000);
+}
+
+/// A byte of the start information: what a stimulus says before what the run says, before any value.
+std::uint64_t Simulator::startByte(int block, std::uint32_t byte, std::uint64_t unknown) const {
+  if (const auto given = devices_.startInformation(block, byte)) return *given;
+  return starts_.byteOf(block, byte, store_, devices_.clock, clockMs_).value_or(static_cast<std::uint8_t>(unknown));
 }
 
 std::uint64_t Simulator::read(const Operand& operand) const { return cellValue(store_, operand); }

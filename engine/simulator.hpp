@@ -17,6 +17,7 @@
 #include <set>
 #include <vector>
 
+#include "engine/block_start.hpp"
 #include "engine/concrete.hpp"
 #include "engine/devices.hpp"
 #include "engine/dispatch_concrete.hpp"
@@ -145,6 +146,8 @@ class Simulator final : private Outside {
   std::uint64_t compiledScans() const { return compiledScans_; }
   /// Events that a stimulus or script named although nothing could cause them then.
   const std::set<int>& eventsWithoutCause() const { return withoutCause_; }
+  /// Events that stopped an S7-300/400 because it has no block for them.
+  const std::set<int>& eventsWithoutBlock() const { return withoutBlock_; }
   /// The instruction that executed STOP last, or nullptr.
   const Instruction* stoppedBy() const { return stoppedBy_; }
 
@@ -165,6 +168,7 @@ class Simulator final : private Outside {
   void report(Hazard hazard, const Instruction* place) override;
   void signal(Signal which, std::uint32_t index) override;
   std::uint64_t unknown(int width);
+  std::uint64_t startByte(int block, std::uint32_t byte, std::uint64_t unknown) const;
 
   void prepareCosts();
   void scanInRun(const ScanRequest& request, std::uint32_t lengthUs);
@@ -185,10 +189,12 @@ class Simulator final : private Outside {
   void forgetInputEdges();
   void raiseByStimulus(int event);
   void raise(int event);
+  bool meetsMissingBlock(int event);
   void raiseTimer(const TimerUse& use, bool reached);
   void attachTimed(std::uint32_t event);
   std::uint64_t periodOf(std::uint32_t timer) const;
   std::uint64_t elapsedOf(std::uint32_t timer) const;
+  void endDelay(std::uint32_t timer);
   bool runsTimed(std::uint32_t timer) const;
   bool mayBeDue(int event) const;
   bool hasCause(int event);
@@ -223,6 +229,7 @@ class Simulator final : private Outside {
   InterruptQueue queue_;
   ForceTable forced_;
   Devices devices_;
+  BlockStart starts_;
   mutable RunTimeErrors errors_;  ///< without what machine code has counted since somebody asked
   std::vector<Cost> costs_;
   bool unknownIsZero_;       ///< bits that the manual calls unknown are read as 0
@@ -246,6 +253,7 @@ class Simulator final : private Outside {
   const Instruction* stoppedBy_ = nullptr;
   const std::string* calledBlock_ = nullptr;  ///< library block whose outputs are being asked for
   std::set<int> withoutCause_;
+  std::set<int> withoutBlock_;
   int priority_ = 0;  ///< of the organization block that has interrupted OB1
   std::uint64_t random_;
   std::uint32_t edgeInputs_ = 0;  ///< the inputs of edge events as these saw them last
@@ -263,6 +271,7 @@ class Simulator final : private Outside {
   bool isCalm_ = false;            ///< only the program decides what the next scan leaves (calm_scan.cpp)
   std::uint64_t longestCalm_ = 0;  ///< 10 ns: longest scan that the CPU allows
   bool hasFineTimers_ = false;     ///< timers that count single ms
+  bool readsStart_ = false;        ///< of OB1, as engine/block_start.hpp gives it
   bool touchesQueueBits_ = false;  ///< an instruction may write SM4.0 to SM4.2
   bool savesMemory_ = false;       ///< the CPU's SM31.7 starts saving
   std::uint64_t compiledScans_ = 0;

@@ -42,7 +42,25 @@ void Simulator::raise(int event) {
 void Simulator::raiseByStimulus(int event) {
   if (event < 0 || event >= blockEventEnd) return;
   if (!eventHasCause(machine_, event)) withoutCause_.insert(event);
-  raise(event);
+  if (!meetsMissingBlock(event)) raise(event);
+}
+
+/// An event of an S7-300/400 whose block the program does not have; false: it has one.
+bool Simulator::meetsMissingBlock(int event) {
+  const auto isMissing = [&](int e) {
+    return routineIn(e, store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(e))) == 0;
+  };
+  if (!plan_.isStep7() || !isRunning() || !isBlockEvent(event) || !isMissing(event)) return false;
+  const WithoutBlock reaction = blockEventRow(blockOfEvent(event))->withoutBlock;
+  if (reaction == WithoutBlock::Nothing) return true;
+  const int programError = eventOfBlock(85);
+  if (reaction == WithoutBlock::ProgramError && !isMissing(programError)) {
+    raise(programError);
+    return true;
+  }
+  withoutBlock_.insert(event);
+  machine_.stop(Hazard::S7NotLoaded, true);
+  return true;
 }
 
 /// 1 ms timers that reach their preset (001:5476).
@@ -89,6 +107,12 @@ std::uint64_t Simulator::periodOf(std::uint32_t timer) const {
 std::uint64_t Simulator::elapsedOf(std::uint32_t timer) const {
   return store_.get(timedRegisters(timer).elapsed, timedRegisters(timer).at);
 }
+/// The delay that SFC 32 has started has passed.
+void Simulator::endDelay(std::uint32_t timer) {
+  const TimedRegisters registers = timedRegisters(timer);
+  starts_.delayEnded(registers.at, periodOf(timer));
+  store_.set(registers.period, registers.at, 0, true);
+}
 /// Whether the time of that event is counted.
 bool Simulator::runsTimed(std::uint32_t timer) const {
   return periodOf(timer) != 0 && store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(eventOfTimed(timer))) != 0;
@@ -114,6 +138,7 @@ bool Simulator::hasCause(int event) {
 /// An event of the script.
 void Simulator::occur(int event) {
   if (isTimerEvent(event) && script_->needsCauses) return;
+  if (!script_->needsCauses && meetsMissingBlock(event)) return;
   const bool isAttached = store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event)) != 0;
   if (!isAttached || !isRunning()) return;
   forgetEdges();
@@ -126,7 +151,7 @@ void Simulator::occur(int event) {
     const auto timer = static_cast<std::uint32_t>(timerOfEvent(event));
     timedMs_[timer] -= static_cast<std::uint32_t>(periodOf(timer));
     passedMs_ = std::max(passedMs_, scriptedMs_ - std::min(scriptedMs_, timedMs_[timer]));
-    if (isDelayEvent(event)) store_.set(Reg::DelayPeriod, timedRegisters(timer).at, 0, true);
+    if (isDelayEvent(event)) endDelay(timer);
   }
   if (isEdgeEvent(event)) lastEdge_[static_cast<std::size_t>(edgeInputOf(event))] = edgeKind(event);
   deviceEvent(machine_, event);

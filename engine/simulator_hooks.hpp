@@ -38,7 +38,7 @@ struct Simulator::Hooks {
     const Activation<Concrete>* running = runner.machine().step7.running;
     const bool isStart = running != nullptr && running->call == nullptr && running->localBase == base;
     if (isStart && simulator.outside_ == nullptr)
-      value = simulator.devices_.startInformation(numberOfBlock(running->pou->number), byte).value_or(value);
+      value = simulator.startByte(numberOfBlock(running->pou->number), byte, value);
     simulator.store_.area(Area::L)[base + byte] = static_cast<std::uint8_t>(value);
   }
 };

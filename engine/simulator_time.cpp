@@ -119,7 +119,7 @@ void Simulator::passMillisecond(Runner& runner) {
     const std::uint64_t period = periodOf(timer), elapsed = elapsedOf(timer) + 1;
     store_.set(registers.elapsed, registers.at, elapsed < period ? elapsed : 0, true);
     if (elapsed < period) continue;
-    if (isDelayEvent(eventOfTimed(timer))) store_.set(registers.period, registers.at, 0, true);
+    if (isDelayEvent(eventOfTimed(timer))) endDelay(timer);
     raise(eventOfTimed(timer));
   }
   devices_.passMillisecond(store_, [this, &runner](int event) {

@@ -10,26 +10,34 @@
 
 namespace rungproof {
 
+/// What the CPU does at an event whose block the program does not have.
+enum class WithoutBlock : std::uint8_t {
+  Nothing,       ///< 002:1102; OB81: general knowledge
+  ProgramError,  ///< the start of a missing block: OB85, or STOP without that (002:1158, 002:1338)
+  Stop           ///< 002:1278
+};
+
 struct BlockEventRow {
   int first, last;         ///< numbers of the organization blocks
   int priority;            ///< of the first of them
   bool rises;              ///< each of the following has the next priority
   std::string_view cause;  ///< as a witness names it
+  WithoutBlock withoutBlock;
 };
 
 inline constexpr auto blockEventTable = std::to_array<BlockEventRow>({
-    {10, 17, 2, false, "time-of-day interrupt"},
-    {20, 23, 3, true, "time-delay interrupt"},
-    {30, 38, 7, true, "cyclic interrupt"},
-    {40, 47, 16, true, "hardware interrupt"},
-    {80, 80, 25, false, "time error"},
-    {81, 81, 25, false, "power supply error"},
-    {82, 82, 25, false, "diagnostic interrupt"},
-    {83, 83, 25, false, "insert or remove module"},
-    {84, 84, 25, false, "CPU hardware fault"},
-    {85, 85, 25, false, "program execution error"},
-    {86, 86, 25, false, "rack failure"},
-    {87, 87, 25, false, "communication error"},
+    {10, 17, 2, false, "time-of-day interrupt", WithoutBlock::ProgramError},
+    {20, 23, 3, true, "time-delay interrupt", WithoutBlock::ProgramError},
+    {30, 38, 7, true, "cyclic interrupt", WithoutBlock::Nothing},
+    {40, 47, 16, true, "hardware interrupt", WithoutBlock::ProgramError},
+    {80, 80, 25, false, "time error", WithoutBlock::Stop},
+    {81, 81, 25, false, "power supply error", WithoutBlock::Nothing},
+    {82, 82, 25, false, "diagnostic interrupt", WithoutBlock::Stop},
+    {83, 83, 25, false, "insert or remove module", WithoutBlock::Stop},
+    {84, 84, 25, false, "CPU hardware fault", WithoutBlock::Stop},
+    {85, 85, 25, false, "program execution error", WithoutBlock::Stop},
+    {86, 86, 25, false, "rack failure", WithoutBlock::Stop},
+    {87, 87, 25, false, "communication error", WithoutBlock::Stop},
 });
 inline constexpr int highestPriority = 28;
 

@@ -59,7 +59,8 @@ enum class Hazard : std::uint8_t {
   S7Nesting,
   S7CycleTime,
   S7Stop,
-  S7ErrorTwice
+  S7ErrorTwice,
+  S7NotLoaded
 };
 
 /// How the CPU takes it: a status bit only, a logged non-fatal error with SM4.3, or STOP.
@@ -153,6 +154,8 @@ inline constexpr std::array hazardTable = {
     HazardInfo{Hazard::S7Stop, "STOP", HazardClass::Fatal, "SFC 46 stops the CPU", "002:2343"},
     HazardInfo{Hazard::S7ErrorTwice, "STOP", HazardClass::Fatal,
                "synchronous error in the block that takes such errors", "002:1278"},
+    HazardInfo{Hazard::S7NotLoaded, "STOP", HazardClass::Fatal, "an event comes whose organization block is missing",
+               "002:1278"},
 };
 
 /// A scan that lasts too long, by the family of the program.
@@ -165,7 +168,7 @@ constexpr bool hazardTableIsInOrder() {
   for (std::size_t i = 0; i < hazardTable.size(); ++i) {
     if (static_cast<std::size_t>(hazardTable[i].hazard) != i) return false;
   }
-  return hazardTable.size() == static_cast<std::size_t>(Hazard::S7ErrorTwice) + 1;
+  return hazardTable.size() == static_cast<std::size_t>(Hazard::S7NotLoaded) + 1;
 }
 static_assert(hazardTableIsInOrder(), "hazardTable must list the hazards in the order of the enumeration");
 }  // namespace detail

@@ -111,6 +111,26 @@ TransitionSystem QuestionSystem::accelerated(std::size_t question, const TimeRan
   return one;
 }
 
+/// Of an S7-300/400: the errors that stop it because it has no block for them. A run ends there.
+std::optional<std::string> missingBlocksText(const Program& program) {
+  const auto isMissing = [&](int block) {
+    const BlockEventRow* row = blockEventRow(block);
+    return row != nullptr && row->withoutBlock == WithoutBlock::Stop &&
+           std::ranges::none_of(program.pous,
+                                [&](const Pou& pou) { return pou.number == blockNumber(BlockType::Ob, block); });
+  };
+  std::vector<std::string> runs;
+  for (int block = 80; block <= 87; ++block) {
+    if (!isMissing(block)) continue;
+    const int first = block;
+    while (isMissing(block + 1)) ++block;
+    runs.push_back(first == block ? fmt::format("OB{}", first) : fmt::format("OB{} to OB{}", first, block));
+  }
+  if (runs.empty()) return std::nullopt;
+  return fmt::format("nothing is asked of a CPU that has stopped because it has no block for an event: {} (002:1278)",
+                     fmt::join(runs, ", "));
+}
+
 std::vector<std::string> environmentTexts(const Program& program, const PropertySet& set, const TimeRange& time,
                                           const Choices& choices) {
   std::vector<std::string> texts;
@@ -129,6 +149,9 @@ std::vector<std::string> environmentTexts(const Program& program, const Property
   const bool hasHotStart =
       std::ranges::any_of(program.pous, [](const Pou& pou) { return pou.number == blockNumber(BlockType::Ob, 101); });
   if (hasHotStart && choices.is(Choice::HotRestart, "excluded")) texts.emplace_back("no hot restart comes");
+  if (isStep7(program.target)) {
+    if (std::optional<std::string> text = missingBlocksText(program)) texts.push_back(*std::move(text));
+  }
   for (const ExternalRange& range : set.externals)
     texts.push_back(
         fmt::format("{} to {} may be written from outside in any scan", toString(range.first), toString(range.last)));

@@ -52,6 +52,7 @@ Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* 
       unknownIsZero_(outside == nullptr && options_.choices.is(Choice::UnknownBits, "zero")),
       random_(options_.seed) {
   touchesQueueBits_ = touchesQueueBits(plan_);
+  readsStart_ = outside_ == nullptr && mayReadStartOfMain(plan_);
   startClock(Reg::PhaseHundred, options_.phaseMs);
   prepareCosts();
   savesMemory_ = savesMemory(target());
@@ -74,7 +75,8 @@ bool Simulator::mayRunCompiled() {
   if (isCalm_) return true;
   if (options_.engine == EngineKind::Reference) return false;
   if (observer_ != nullptr || (script_ != nullptr && !isScriptQuiet())) return false;
-  if (!unknownIsZero_ || !forced_.empty() || !queue_.empty() || devices_.hasStartInformation()) return false;
+  if (!unknownIsZero_ || !forced_.empty() || !queue_.empty() || devices_.hasStartInformation() || readsStart_)
+    return false;
   if (!isRunning() || store_.get(Reg::FirstScan, 0) != 0 || scanCount_ <= referenceUntil_) return false;
   return options_.engine == EngineKind::Compiled || scanCount_ > scansBefore;
 }

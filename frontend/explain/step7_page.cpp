@@ -10,6 +10,7 @@
 #include "frontend/explain/instruction_page.hpp"
 #include "frontend/step7/library_source.hpp"
 #include "frontend/text/columns.hpp"
+#include "ir/block_event.hpp"
 #include "ir/manual.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/coverage.hpp"
@@ -81,18 +82,31 @@ std::string numbersOf(const s7300::OrganizationBlock& row) {
   return row.first == row.last ? fmt::format("OB{}", row.first) : fmt::format("OB{} to OB{}", row.first, row.last);
 }
 
+/// What the CPU does at the event where the program does not have the block; "": it is not known, or no such event.
+std::string withoutIt(int number) {
+  const BlockEventRow* row = blockEventRow(number);
+  if (row == nullptr) return "";
+  switch (row->withoutBlock) {
+    case WithoutBlock::Nothing: return "nothing happens";
+    case WithoutBlock::ProgramError: return "OB85 runs; the CPU stops if that is missing too (002:1158, 002:1338)";
+    case WithoutBlock::Stop: return "the CPU stops (002:1278)";
+  }
+  return "";
+}
+
 Step7Page pageOfOb(int number, const s7300::OrganizationBlock& row, const Paint& paint) {
   const std::string name = fmt::format("OB{}", number);
   const std::string_view covered = row.isModelled ? "modelled" : "NOT COVERED";
   Step7Page page;
   page.text = fmt::format("{}: {}\n\n", paint.bold(name), row.kind);
-  appendRows(page.text,
-             {{"Started by", std::string(row.event)},
-              {"Kind", numbersOf(row)},
-              {"Exists on", std::string(startedByText(row.startedBy))},
-              {"Model", row.isModelled ? std::string(covered) : fmt::format("{}: {}", covered, gapReasonOf(row))},
-              {"Manual", manualPlace(row.manual)}},
-             16);
+  std::vector<TextRow> rows = {
+      {"Started by", std::string(row.event)},
+      {"Kind", numbersOf(row)},
+      {"Exists on", std::string(startedByText(row.startedBy))},
+      {"Model", row.isModelled ? std::string(covered) : fmt::format("{}: {}", covered, gapReasonOf(row))}};
+  if (const std::string text = withoutIt(number); !text.empty()) rows.push_back({"Without it", text});
+  rows.push_back({"Manual", manualPlace(row.manual)});
+  appendRows(page.text, rows, 16);
   page.json = {{"block", name}, {"kind", row.kind}, {"event", row.event}, {"model", covered}, {"manual", row.manual}};
   return page;
 }

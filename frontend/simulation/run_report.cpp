@@ -9,7 +9,15 @@ namespace rungproof {
 
 namespace {
 
-Finding findingOf(const RunTimeError& error, const Program& program) {
+/// "OB82, OB86"
+std::string blocksOf(const std::set<int>& events) {
+  std::string text;
+  for (const int event : events) text += fmt::format("{}OB{}", text.empty() ? "" : ", ", blockOfEvent(event));
+  return text;
+}
+
+Finding findingOf(const RunTimeError& error, const Simulator& simulator) {
+  const Program& program = *simulator.plan().program;
   const HazardInfo& info = hazardInfo(error.hazard);
   Finding finding;
   const bool isFatal = info.kind == HazardClass::Fatal;
@@ -19,9 +27,13 @@ Finding findingOf(const RunTimeError& error, const Program& program) {
                            : isFatal || info.kind == HazardClass::NonFatal ? fmt::format("run-time error {}", info.code)
                                                                            : std::string("events lost");
   const std::string often = error.count > 1 ? fmt::format(", {} times in all", error.count) : "";
-  finding.message = fmt::format("{}: {} (scan {}, {} ms{})", code, info.text, error.scan,
-                                plainNumber(static_cast<double>(error.timeUs) / 1000), often);
-  finding.help = fmt::format("see {} of the manual", info.manual);
+  const bool isNotLoaded = error.hazard == Hazard::S7NotLoaded;
+  const std::string blocks = isNotLoaded ? blocksOf(simulator.eventsWithoutBlock()) : "";
+  finding.message = fmt::format("{}: {}{} (scan {}, {} ms{})", code, info.text, isNotLoaded ? ": " + blocks : "",
+                                error.scan, plainNumber(static_cast<double>(error.timeUs) / 1000), often);
+  finding.help = isNotLoaded
+                     ? fmt::format("an empty {} keeps the CPU in RUN; see {} of the manual", blocks, info.manual)
+                     : fmt::format("see {} of the manual", info.manual);
   finding.confirmation = Confirmation::Confirmed;
   if (error.place == nullptr) return finding;
   finding.span = error.place->span;
@@ -69,11 +81,12 @@ std::string stopText(const Simulator& simulator) {
 }
 
 void describeRun(Report& report, const Simulator& simulator, const ScanTime& scanTime) {
-  const Program& program = *simulator.plan().program;
+  const Plan& plan = simulator.plan();
+  const Program& program = *plan.program;
   for (const RunTimeError& error : simulator.errors().list()) {
     const bool isLost = error.hazard == Hazard::QueueOverflow;
     if (hazardInfo(error.hazard).kind != HazardClass::StatusOnly || isLost)
-      report.findings.push_back(findingOf(error, program));
+      report.findings.push_back(findingOf(error, simulator));
   }
   for (const int event : simulator.eventsWithoutCause()) {
     Finding finding;
@@ -81,7 +94,9 @@ void describeRun(Report& report, const Simulator& simulator, const ScanTime& sca
     finding.severity = Severity::Note;
     finding.message = fmt::format("event {} ({}) came from the stimulus although nothing could cause it then",
                                   shownEvent(event), eventInfo(event).text);
-    finding.help = "see 001:5378 of the manual for what causes each event";
+    finding.help = plan.isStep7() ? "OB30 to OB38 come with their period, OB20 to OB23 at the end of a delay of SFC 32 "
+                                    "(002:1096-1212)"
+                                  : "see 001:5378 of the manual for what causes each event";
     report.findings.push_back(std::move(finding));
   }
   listHiddenBlocks(report, program);
