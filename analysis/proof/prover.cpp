@@ -220,7 +220,7 @@ class Session {
     for (const Choice choice : fixedChoices(encoding, question, found)) {
       if (std::ranges::find(found.fixed, choice) == found.fixed.end()) found.fixed.push_back(choice);
     }
-    row.assumptions = assumptionsOf(found, options_.choices);
+    row.assumptions = assumptionsOf(found, options_.choices, program_.target);
     if (!row.witness || !options_.evidence) return;
     std::optional<Judge> judge;
     if (question < goals().size()) judge.emplace(program_, options_.choices, search_.assumptions(), goals()[question]);

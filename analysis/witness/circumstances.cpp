@@ -85,12 +85,16 @@ std::vector<Choice> fixedReadingsOf(const EncodedScan& scan) {
   return result;
 }
 
-std::vector<std::string> assumptionsOf(const Circumstances& circumstances, const Choices& choices) {
+std::vector<std::string> assumptionsOf(const Circumstances& circumstances, const Choices& choices,
+                                       const Target& target) {
   std::vector<std::string> texts;
   for (const Choice choice : circumstances.fixed) texts.push_back(named(choice, choices[choice]));
   if (circumstances.mayStop)
     texts.emplace_back(
-        "nothing is asked of a scan that a fatal error cuts off, nor in STOP, where all outputs are off (001:1753)");
+        isStep7(target)
+            ? "nothing is asked of a scan that an error or SFC 46 cuts off, nor in STOP (002:1278, 002:2343)"
+            : "nothing is asked of a scan that a fatal error cuts off, nor in STOP, where all outputs are off "
+              "(001:1753)");
   return texts;
 }
 

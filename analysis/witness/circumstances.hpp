@@ -25,8 +25,9 @@ Circumstances circumstancesOf(const EncodedScan& scan, const std::unordered_set<
 /// The fixed readings that some instruction of the program asks for.
 std::vector<Choice> fixedReadingsOf(const EncodedScan& scan);
 
-/// "inactive-scr = skipped", one text for each fixed choice.
-std::vector<std::string> assumptionsOf(const Circumstances& circumstances, const Choices& choices);
+/// "inactive-scr = skipped", one text for each fixed choice; what is not asked where the CPU stops.
+std::vector<std::string> assumptionsOf(const Circumstances& circumstances, const Choices& choices,
+                                       const Target& target);
 
 /// "under inactive-scr = skipped": the open readings without which the run would not show its goal, and where the
 /// clocks start if not at 0. `judge`: tells what a changed run shows; nullptr: every reading that is not the default is

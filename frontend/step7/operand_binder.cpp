@@ -53,8 +53,22 @@ std::string wholePath(const std::vector<PathStep>& path) {
   return text;
 }
 
-BoundOperand refused(Syntax code, Span span, std::string fault) {
+// What to do about a name that nothing defines, by what it names.
+constexpr std::string_view localHelp =
+    "declare it in a VAR section of the block, or write the name as it is declared there; its network is not covered";
+constexpr std::string_view symbolHelp =
+    "name the symbol table beside the sources (.sdf, .asc, .dif, .seq, .csv, or TIA tags as .xml), or a folder that "
+    "holds all of them; its network is not covered";
+constexpr std::string_view blockHelp =
+    "name the source of the data block beside this one, and the symbol table that gives its number; its network is "
+    "not covered";
+constexpr std::string_view partHelp =
+    "write the name and the indices as they are declared; a source that is older than the declaration has to be "
+    "exported again; its network is not covered";
+
+BoundOperand refused(Syntax code, Span span, std::string fault, std::string_view help = {}) {
   BoundOperand result;
+  result.help = help;
   result.fault = std::move(fault);
   result.code = code;
   result.faultSpan = span;
@@ -72,7 +86,7 @@ BoundOperand badPath(const PathResult& found, const std::vector<PathStep>& path)
       default: return fmt::format("the index of {} is outside of its bounds", stepText(step));
     }
   };
-  return refused(Syntax::NameUndefined, step.span, reason());
+  return refused(Syntax::NameUndefined, step.span, reason(), partHelp);
 }
 
 }  // namespace
@@ -162,7 +176,7 @@ BoundOperand OperandBinder::address(const Operand& operand, BlockScope& scope) {
     const std::optional<BlockKey> key = catalogue_.keyOf(*operand.block);
     if (!key)
       return refused(Syntax::NameUndefined, operand.block->span,
-                     fmt::format("nothing defines {}", toString(*operand.block)));
+                     fmt::format("nothing defines {}", toString(*operand.block)), blockHelp);
     if (key->kind != BlockKind::Db)
       return refused(Syntax::Operand7, operand.block->span,
                      fmt::format("{} is no data block", toString(*operand.block)));
@@ -202,12 +216,13 @@ BoundOperand OperandBinder::local(const Operand& operand, BlockScope& scope, con
   const PathResult found = isTemporary ? temporary : lookUp(*scope.parameters, path);
   if (found.field == nullptr) {
     // Word without a sign that no declaration knows.
-    return refused(Syntax::NameUndefined, path[0].span, fmt::format("nothing declares {}", path[0].name));
+    return refused(Syntax::NameUndefined, path[0].span, fmt::format("nothing declares {}", path[0].name), localHelp);
   }
   if (found.fault != PathFault::None) return badPath(found, path);
   const Type& type = *found.type;
   if (type.kind == TypeKind::Unknown)
-    return refused(Syntax::NameUndefined, operand.span, fmt::format("the type of {} is not known", wholePath(path)));
+    return refused(Syntax::NameUndefined, operand.span, fmt::format("the type of {} is not known", wholePath(path)),
+                   "name the source with its TYPE, FB or data block beside this one; its network is not covered");
   result.type = type;
   const std::optional<Width> width = s7300::accessWidth(type);
   result.operand = direct(Area::DB, width.value_or(Width::Byte), found.byte, found.bit);
@@ -243,7 +258,7 @@ BoundOperand OperandBinder::dataField(const Operand& operand, BlockKey block) {
   const std::shared_ptr<const Structure> structure = types_.structure(block);
   if (structure == nullptr || !types_.isKnown(block))
     return refused(Syntax::NameUndefined, operand.span,
-                   fmt::format("the declaration of {} is not known", toString(block)));
+                   fmt::format("the declaration of {} is not known", toString(block)), blockHelp);
   const PathResult found = lookUp(*structure, operand.path);
   if (found.fault != PathFault::None) return badPath(found, operand.path);
   if (found.byReference)
@@ -264,7 +279,7 @@ BoundOperand OperandBinder::symbol(const Operand& operand, BlockScope& scope) {
   if (!operand.path.empty()) {
     if (!key || key->kind != BlockKind::Db)
       return refused(Syntax::NameUndefined, operand.span,
-                     fmt::format("nothing defines the data block \"{}\"", operand.name));
+                     fmt::format("nothing defines the data block \"{}\"", operand.name), blockHelp);
     return dataField(operand, *key);
   }
   if (const SymbolRow* row = catalogue_.symbol(operand.name);
@@ -278,7 +293,7 @@ BoundOperand OperandBinder::symbol(const Operand& operand, BlockScope& scope) {
     BoundOperand result = blockNamed(*key, operand);
     return result;
   }
-  return refused(Syntax::NameUndefined, operand.span, fmt::format("nothing defines \"{}\"", operand.name));
+  return refused(Syntax::NameUndefined, operand.span, fmt::format("nothing defines \"{}\"", operand.name), symbolHelp);
 }
 
 BoundOperand OperandBinder::indirect(const Operand& operand, BlockScope& scope) {

@@ -35,6 +35,7 @@ struct BoundOperand {
   std::string fault{};                  ///< why it cannot be bound
   Syntax code = Syntax::NameUndefined;  ///< of the fault
   Span faultSpan{};
+  std::string_view help{};  ///< what to do about it, where the rule does not know
 };
 
 class OperandBinder {

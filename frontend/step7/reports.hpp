@@ -15,12 +15,15 @@ class Reports {
   Program& program() { return program_; }
   /// The finding goes to the file of the span.
   void report(Syntax code, Span span, std::string message) { sinkOf(span).report(code, span, std::move(message)); }
-  /// The same, in a block and a network.
-  void report(Syntax code, Span span, std::string message, const std::string& block, int network) {
+  /// The same, in a block and a network. `help`: in place of that of the rule.
+  void report(Syntax code, Span span, std::string message, const std::string& block, int network,
+              const std::string& help = {}) {
+    const std::size_t before = program_.findings.size();
     SyntaxSink& sink = sinkOf(span);
     sink.setPlace(block, network);
     sink.report(code, span, std::move(message));
     sink.setPlace({}, 0);
+    if (!help.empty() && program_.findings.size() > before) program_.findings.back().help = help;
   }
   /// A second place for the finding reported last.
   void relate(Span span, std::string message) {

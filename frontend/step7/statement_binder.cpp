@@ -59,13 +59,14 @@ std::string_view widthWord(Width width) {
 
 }  // namespace
 
-bool StatementBinder::refuse(Syntax code, Span span, std::string message) {
-  reports_.report(code, span, std::move(message), scope_->name, network_ != nullptr ? network_->number : 0);
+bool StatementBinder::refuse(Syntax code, Span span, std::string message, std::string_view help) {
+  reports_.report(code, span, std::move(message), scope_->name, network_ != nullptr ? network_->number : 0,
+                  std::string(help));
   return false;
 }
 
 bool StatementBinder::refuse(const BoundOperand& operand) {
-  return refuse(operand.code, operand.faultSpan, operand.fault);
+  return refuse(operand.code, operand.faultSpan, operand.fault, operand.help);
 }
 
 void StatementBinder::findLabels(const BlockSyntax& block, BlockScope& scope) {

@@ -41,7 +41,7 @@ class StatementBinder {
   bool refuseOpaque(const BoundOperand& operand, Span span);
   void noteParameters(BlockKey callee, const Statement& statement);
   void append(const Desc& desc, const Statement& statement, std::vector<rungproof::Operand> operands);
-  bool refuse(Syntax code, Span span, std::string message);
+  bool refuse(Syntax code, Span span, std::string message, std::string_view help = {});
   bool refuse(const BoundOperand& operand);
 
   const BlockCatalogue& catalogue_;

@@ -158,9 +158,10 @@ inline constexpr std::array<SyntaxMessage, static_cast<std::size_t>(Syntax::coun
     {Syntax::Statement7, "SYN044", "Statement cannot be read", Severity::Error,
      "its network is not covered; write for example A I 0.0 ; or L #Speed ;"},
     {Syntax::Operand7, "SYN045", "Operand that the instruction does not take", Severity::Error,
-     "see the operands of the instruction with `rungproof explain`"},
+     "its network is not covered; `rungproof explain JNB --dialect s7-300` shows what an instruction such as JNB "
+     "takes"},
     {Syntax::NameUndefined, "SYN046", "Name that nothing defines", Severity::Error,
-     "add the symbol table or the source that defines it; its network is not covered"},
+     "name the symbol table or the source that defines it beside the others; its network is not covered"},
     {Syntax::CallList, "SYN047", "Parameter list does not fit the block", Severity::Error,
      "give parameters by their declared names and types: an FC needs all of them, an FB its instance"},
     {Syntax::LabelOfBlock, "SYN048", "Label is missing or stands twice", Severity::Error,

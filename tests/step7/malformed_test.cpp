@@ -73,6 +73,16 @@ TEST(MalformedStatements, EachHasItsPlaceAndTheRestIsRead) {
   }
 }
 
+// The help says where the name is looked for: in the block, in a symbol table, in the source of a data block.
+TEST(MalformedStatements, HelpNamesWhatDefines) {
+  const std::pair<const char*, const char*> names[] = {{"A #motor;", "VAR section"},
+                                                       {"A \"Motor\";", ".sdf"},
+                                                       {"L \"Motor\".speed;", "source of the data block"},
+                                                       {"L M 0.0;", "--dialect s7-300"}};
+  for (const auto& [text, help] : names)
+    EXPECT_NE(readOb1(std::string(text) + "\n").findings.at(0).help.find(help), std::string::npos) << text;
+}
+
 const char* const sum =
     "FUNCTION FC 5 : INT\nVAR_INPUT\n  A : INT ;\n  B : INT ;\nEND_VAR\nVAR_OUTPUT\n  Q : BOOL ;\nEND_VAR\nBEGIN\n"
     "NETWORK\n  L #A;\n  T #RET_VAL;\nEND_FUNCTION\n"
