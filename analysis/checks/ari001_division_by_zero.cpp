@@ -1,11 +1,14 @@
 // ARI001: a divisor that is 0 or may be. Divisors that a comparison in the same rung keeps from 0, or that only
-// constants other than 0 are moved into, are safe; the rest is the prover's. Tested by its examples and
-// tests/rules/data_rules_test.cpp.
+// constants other than 0 are moved into, are safe; the rest is the prover's. On an S7-300/400 a comparison before it or
+// a look at OV behind it is enough, and nobody is asked. Tested by its examples, tests/rules/data_rules_test.cpp and
+// tests/rules/step7_data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "analysis/flow/facts.hpp"
+#include "analysis/flow/statement_paths.hpp"
+#include "analysis/flow/step7_blocks.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -49,7 +52,35 @@ bool isNeverZero(const Facts& facts, const Access& divisor) {
   return isWritten;
 }
 
+/// S7-300/400: the divisor is what the last load left in ACCU1.
+void checkAccus(const Facts& facts, FindingSink& sink) {
+  eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
+    for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {
+      const Instruction& division = *flow.steps[at].instruction;
+      const std::optional<std::uint32_t> bits = divisorBits(division);
+      const Instruction* load = bits ? loadsBefore(flow, at).accu1 : nullptr;
+      if (load == nullptr || !facts.execution().at(division.id).isReachable) continue;
+      const Operand& divisor = load->operands[0];
+      if (divisor.kind == OperandKind::Constant) {
+        if ((static_cast<std::uint64_t>(divisor.value) & *bits) != 0) continue;
+        Finding& finding = sink.report(division.span, fmt::format("{} divides by 0", Facts::text(division)));
+        finding.related.push_back({load->span, "the divisor"});
+        finding.confirmation = Confirmation::NotNeeded;
+        finding.help = "OV, OS, CC1 and CC0 become 1 and no quotient comes";
+        continue;
+      }
+      if (!divisor.isMemory() || isComparedBefore(flow, at, divisor) || asksOverflowBehind(flow, at)) continue;
+      Finding& finding = sink.report(
+          division.span, fmt::format("{} divides by {}, which may be 0", Facts::text(division), facts.name(divisor)));
+      finding.related.push_back({load->span, "the divisor"});
+      finding.address = toString(divisor);
+      finding.help = "compare the divisor with 0 and jump over the division, or ask OV behind it";
+    }
+  });
+}
+
 void checkAri001(const Facts& facts, FindingSink& sink) {
+  if (facts.plan().isStep7()) return checkAccus(facts, sink);
   for (const InstructionPlace& place : facts.placesOf([](const Desc& desc) { return isDivision(desc.role); })) {
     const Instruction& instruction = *place.instruction;
     if (!isDivision(roleOf(instruction)) || instruction.operands.empty()) continue;
@@ -84,13 +115,14 @@ extern constexpr Rule ari001_division_by_zero = {
     .severity = Severity::Warning,
     .needs = Needs::FlowThenSolver,
     .detects = "a divisor that is or can be 0",
-    .why = "SM1.3 is set and the result is not written: the old value goes on being used",
-    .manual = "001:4814-4827",
+    .why =
+        "S7-200: SM1.3 is set and the result is not written, the old value goes on being used; S7-300/400: OV and OS "
+        "are set and what stands in ACCU1 is no quotient",
+    .manual = "001:4814-4827, 002:1563-1578",
     .bad = "Network 1\nLD SM0.0\nMOVW VW0, VW2\n/I VW4, VW2\n",
     .good = "Network 1\nLDW<> VW4, 0\nMOVW VW0, VW2\n/I VW4, VW2\n",
-    .falsePositives = "a divisor whose range is known from elsewhere: the prover drops it",
+    .falsePositives = "a divisor whose range is known from elsewhere: on an S7-200 the prover drops it",
     .peers = "SA0040",
-    .dialects = dialect::S7200,
     .check = checkAri001,
     .ask = {.in = asked::Builtin, .turn = 30, .cost = 1, .hazards = ari001Hazards},
 };

@@ -47,20 +47,6 @@ CountStart countAt(const Flow& flow, std::uint32_t label, const Instruction*& so
   return CountStart::Known;
 }
 
-/// Whether a statement before the loop compares what the count is loaded from, as a guard in front of it does.
-bool isComparedBefore(const Flow& flow, std::uint32_t until, const Operand& count) {
-  const std::string name = toString(count);
-  bool isLoaded = false;
-  for (std::uint32_t at = 0; at < until; ++at) {
-    const Instruction& instruction = *flow.steps[at].instruction;
-    const StatementRole role = statementRole(instruction);
-    if (role == StatementRole::Load && toString(instruction.operands[0]) == name) isLoaded = true;
-    if (isComparison(role) && isLoaded) return true;
-    if (role == StatementRole::Transfer && toString(instruction.operands[0]) != name) isLoaded = false;
-  }
-  return false;
-}
-
 void checkCtl008(const Facts& facts, FindingSink& sink) {
   eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
     for (const FlowStep& step : flow.steps) {

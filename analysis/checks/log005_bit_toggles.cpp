@@ -1,13 +1,15 @@
 // LOG005: a bit that is assigned from its own inverse without an edge, so that it changes in every scan. A single
 // inverted contact is certain; with more contacts in series it toggles while they hold, which the prover confirms.
-// Tested by its examples and tests/rules/output_rules_test.cpp.
+// Tested by its examples, tests/rules/output_rules_test.cpp and tests/rules/step7_data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "analysis/asking/asking.hpp"
 #include "analysis/flow/facts.hpp"
+#include "analysis/flow/step7_blocks.hpp"
 #include "analysis/rule.hpp"
+#include "ir/s7300/statement_role.hpp"
 
 namespace rungproof {
 
@@ -16,7 +18,9 @@ namespace {
 enum class Toggle { No, While, Always };
 
 bool isContactOn(const Instruction& instruction, const Operand& bit) {
-  if (instruction.desc->execution != Execution::Stack || instruction.operands.empty()) return false;
+  const bool isContact = statementRole(instruction) != StatementRole::Other ||
+                         instruction.desc->execution == Execution::Stack;  // of either family
+  if (!isContact || instruction.operands.empty()) return false;
   const Operand& o = instruction.operands[0];
   return o.kind == OperandKind::Direct && o.area == bit.area && o.offset == bit.offset && o.bit == bit.bit &&
          o.width == Width::Bit;
@@ -46,7 +50,42 @@ Toggle rungOf(const Flow& flow, std::uint32_t at, const Operand& bit) {
   return !hasOwn ? Toggle::No : isPlain ? Toggle::Always : Toggle::While;
 }
 
+/// Whether the statement ends a logic string, so that the next scan is the first of another one.
+bool endsString(StatementRole role) {
+  return role == StatementRole::Assign || role == StatementRole::Latch || role == StatementRole::JumpByRlo ||
+         role == StatementRole::JumpKeepingRlo || role == StatementRole::ResetTimer ||
+         role == StatementRole::ResetCounter || role == StatementRole::Call || remembersRlo(role);
+}
+
+/// S7-300/400: AN of a bit alone in front of = of the same bit. With more scans in the string it would be for the
+/// prover, which is not asked.
+void checkStrings(const Facts& facts, FindingSink& sink) {
+  eachOwnBlock(facts, [&](std::uint32_t block, const Flow& flow) {
+    if (isStartUpOnly(facts, block)) return;
+    for (std::uint32_t at = 1; at < flow.steps.size(); ++at) {
+      const Instruction& assign = *flow.steps[at].instruction;
+      const Instruction& scan = *flow.steps[at - 1].instruction;
+      if (statementRole(assign) != StatementRole::Assign || !facts.execution().at(assign.id).isReachable) continue;
+      const bool isFirst = at == 1 || endsString(statementRole(*flow.steps[at - 2].instruction));
+      const StatementRole role = statementRole(scan);
+      const bool isScan = role == StatementRole::AndScan || role == StatementRole::OrScan;
+      if (!isFirst || !isScan || !scanJoin(scan).negated) continue;
+      const Operand& bit = assign.operands[0];
+      if (bit.kind != OperandKind::Direct || bit.area == Area::L || !isContactOn(scan, bit)) continue;
+      const std::uint32_t cell = facts.index().cells().cell(bit.area, bit.offset, block);
+      if (cell == facts.index().cells().size() || facts.writers(cell, bit.bit) != 1) continue;
+      Finding& finding = sink.report(
+          assign.span,
+          fmt::format("{} is assigned from its own inverse: it changes whenever this runs", facts.name(bit)));
+      finding.address = toString(bit);
+      finding.confirmation = Confirmation::NotNeeded;
+      finding.help = "put the condition and FP in front, so that it changes once per press";
+    }
+  });
+}
+
 void checkLog005(const Facts& facts, FindingSink& sink) {
+  if (facts.plan().isStep7()) return checkStrings(facts, sink);
   for (const InstructionPlace& place : facts.placesOf(isPlainCoil)) {
     const Instruction& instruction = *place.instruction;
     if (!isPlainCoil(*instruction.desc) || facts.isUnread(instruction.id) || instruction.operands.empty() ||
@@ -68,6 +107,7 @@ void checkLog005(const Facts& facts, FindingSink& sink) {
 }
 
 void askLog005(Asking& asking) {
+  if (asking.encoding().plan().isStep7()) return;
   Graph& graph = asking.graph();
   for (const Instruction* coil : asking.executed()) {
     if (!isPlainCoil(*coil->desc) || coil->operands[0].kind != OperandKind::Direct || coil->operands[0].area == Area::L)
@@ -96,13 +136,12 @@ extern constexpr Rule log005_bit_toggles = {
     .needs = Needs::FlowThenSolver,
     .detects = "a bit assigned from its own inverse on a path without an edge",
     .why = "a lamp flickers at scan rate, a motor contactor chatters",
-    .manual = "001:2777, 001:2741",
+    .manual = "001:2777, 001:2741, 002:2697-2714",
     .bad = "Network 1\nLDN M0.0\n= M0.0\nNetwork 2\nLD M0.0\n= Q0.0\n",
     .good =
         "Network 1\nLD I0.0\nEU\nLPS\nAN M0.0\n= M0.1\nLPP\nA M0.0\n= M0.2\nNetwork 2\nLD M0.1\nS M0.0, 1\nNetwork "
         "3\nLD M0.2\nR M0.0, 1\n",
-    .falsePositives = "a scan clock on purpose: SM0.6 is one already",
-    .dialects = dialect::S7200,
+    .falsePositives = "a scan clock on purpose: SM0.6 of the S7-200 is one already",
     .check = checkLog005,
     .ask = {.in = asked::Lint, .turn = 62, .cost = 4, .onlySettles = true, .program = askLog005},
 };

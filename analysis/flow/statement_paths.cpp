@@ -22,4 +22,71 @@ bool isPath(const Flow& flow, std::uint32_t from, std::uint32_t to) {
   return false;
 }
 
+namespace {
+
+/// Statements that leave both accumulators alone and after which the next one runs.
+bool keepsAccus(StatementRole role) {
+  switch (role) {
+    case StatementRole::AndScan:
+    case StatementRole::OrScan:
+    case StatementRole::XorScan:
+    case StatementRole::OrOfAnds:
+    case StatementRole::Open:
+    case StatementRole::Close:
+    case StatementRole::Edge:
+    case StatementRole::Negate:
+    case StatementRole::SetRlo:
+    case StatementRole::ClearRlo:
+    case StatementRole::Save:
+    case StatementRole::Assign:
+    case StatementRole::Latch:
+    case StatementRole::Transfer:
+    case StatementRole::Nothing: return true;
+    default: return false;
+  }
+}
+
+bool loadsAccu(const Instruction& instruction) {
+  return statementRole(instruction) == StatementRole::Load || loadsElement(instruction);
+}
+
+}  // namespace
+
+LoadsBefore loadsBefore(const Flow& flow, std::uint32_t at) {
+  LoadsBefore loads;
+  while (at-- > 0) {
+    const Instruction& instruction = *flow.steps[at].instruction;
+    if (loadsAccu(instruction)) {
+      if (loads.accu1 != nullptr) {
+        loads.accu2 = &instruction;
+        return loads;
+      }
+      loads.accu1 = &instruction;
+    } else if (!keepsAccus(statementRole(instruction)) || instruction.desc->control != Control::None) {
+      return loads;
+    }
+  }
+  return loads;
+}
+
+bool asksOverflowBehind(const Flow& flow, std::uint32_t at) {
+  constexpr std::uint32_t reach = 5;
+  for (std::uint32_t next = at + 1; next < flow.steps.size() && next <= at + reach; ++next) {
+    if (asksOverflow(*flow.steps[next].instruction)) return true;
+  }
+  return false;
+}
+
+bool isComparedBefore(const Flow& flow, std::uint32_t until, const Operand& operand) {
+  const std::string name = toString(operand);
+  for (std::uint32_t at = 0; at < until; ++at) {
+    if (!isComparison(statementRole(*flow.steps[at].instruction))) continue;
+    const LoadsBefore loads = loadsBefore(flow, at);
+    for (const Instruction* load : {loads.accu1, loads.accu2}) {
+      if (load != nullptr && toString(load->operands[0]) == name) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace rungproof

@@ -63,6 +63,18 @@ std::vector<std::optional<State>> statesOf(const Flow& flow, const State& entry,
   return before;
 }
 
+/// The loads whose values stand in ACCU1 and ACCU2 before the step; nullptr: something else made it, or it is not
+/// known.
+struct LoadsBefore {
+  const Instruction* accu1 = nullptr;
+  const Instruction* accu2 = nullptr;
+};
+LoadsBefore loadsBefore(const Flow& flow, std::uint32_t at);
+/// Whether one of the next statements asks OV or OS.
+bool asksOverflowBehind(const Flow& flow, std::uint32_t at);
+/// Whether a comparison before the step, anywhere in the block, has that operand loaded.
+bool isComparedBefore(const Flow& flow, std::uint32_t until, const Operand& operand);
+
 /// Whether a path through the block leads from one step to the other.
 bool isPath(const Flow& flow, std::uint32_t from, std::uint32_t to);
 /// Whether a run of the block can pass both, in whatever order.

@@ -111,4 +111,32 @@ ScanJoin scanJoin(const Instruction& instruction) {
   return {role, name.size() > 1 && name[1] == 'N'};
 }
 
+std::optional<std::uint32_t> divisorBits(const Instruction& instruction) {
+  const StatementRole role = statementRole(instruction);
+  const std::string_view name = instruction.desc->stl;
+  if (role == StatementRole::RealMath) return name == "/R" ? std::optional(0x7FFFFFFFU) : std::nullopt;
+  if (role != StatementRole::IntegerMath) return std::nullopt;
+  if (name == "/I") return 0xFFFFU;
+  return name == "/D" || name == "MOD" ? std::optional(0xFFFFFFFFU) : std::nullopt;
+}
+
+bool comparesForEquality(const Instruction& instruction) {
+  const std::string_view name = instruction.desc->stl;
+  return statementRole(instruction) == StatementRole::Compare && (name.starts_with("==") || name.starts_with("<>"));
+}
+
+bool loadsElement(const Instruction& instruction) {
+  const std::string_view name = instruction.desc->stl;
+  return name == "L T" || name == "LC T" || name == "L C" || name == "LC C";
+}
+
+bool asksOverflow(const Instruction& instruction) {
+  const StatementRole role = statementRole(instruction);
+  const std::string_view name = instruction.desc->stl;
+  if (role == StatementRole::JumpByResult) return name == "JO" || name == "JOS";
+  const bool isScan = role == StatementRole::AndScan || role == StatementRole::OrScan || role == StatementRole::XorScan;
+  if (!isScan || instruction.operands.empty() || instruction.operands[0].kind != OperandKind::Constant) return false;
+  return instruction.operands[0].text == "OV" || instruction.operands[0].text == "OS";
+}
+
 }  // namespace rungproof

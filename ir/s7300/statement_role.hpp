@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "ir/program.hpp"
 
@@ -80,6 +81,15 @@ struct ScanJoin {
   bool negated = false;
 };
 ScanJoin scanJoin(const Instruction& instruction);
+/// The bits of ACCU1 that are all 0 where a division has no quotient: 16 of /I, 32 of /D and MOD, all but the sign of
+/// /R.
+std::optional<std::uint32_t> divisorBits(const Instruction& instruction);
+/// ==I, <>I, ==D, <>D.
+bool comparesForEquality(const Instruction& instruction);
+/// L and LC of a timer or counter.
+bool loadsElement(const Instruction& instruction);
+/// JO, JOS, and scans of OV and OS.
+bool asksOverflow(const Instruction& instruction);
 /// Whether it starts a timer, or moves or sets a counter, when its RLO rises or falls.
 constexpr bool remembersRlo(StatementRole role) {
   return role == StatementRole::StartTimer || role == StatementRole::CountUp || role == StatementRole::CountDown ||
