@@ -127,6 +127,7 @@ TEST(Differential7, EngineAgreesWithTheNaiveInterpreter) {
     const std::uint64_t one = seed + static_cast<std::uint64_t>(programs);
     naive7::GeneratorChoices choices;
     choices.is400 = one % 2 == 0;
+    choices.interrupts = one % 4 < 2;
     const std::string text = naive7::ProgramGenerator(one, choices).program();
     const std::string wrong = firstDifference(text, one, choices.is400, scans, stops);
     EXPECT_FALSE(wrong.starts_with("unreadable")) << "seed " << one << " " << wrong;

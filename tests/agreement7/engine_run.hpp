@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <set>
+#include <utility>
 
 #include "engine/concrete.hpp"
 #include "ir/s7200/reading.hpp"
@@ -15,6 +16,8 @@ namespace rungproof::agreement7 {
 
 /// BLD with this number stands where registers are put in, with the other where they are taken out.
 inline constexpr std::int64_t putMark = 254, takeMark = 253;
+/// BLD with 200 more than the number of an organization block stands where that interrupts.
+inline constexpr std::int64_t interruptMark = 200;
 
 /// Gives 0 for whatever the program does not determine, and the modules' values for PI; keeps the errors.
 struct Around final : Outside {
@@ -36,12 +39,19 @@ using Registers = std::function<void(RegisterValues&)>;
 /// Changes the registers where the mark says so, or shows them. D: a domain of plain numbers.
 struct MarkHooks {
   Registers put, take;
+  std::int64_t running = 1;  ///< organization block
   template <class S>
   void before(S& scan, const FlowStep& step) {
     auto& machine = scan.machine();
     if constexpr (requires { machine.d.begins(); }) machine.d.begins();
     const Instruction& i = *step.instruction;
     if (i.desc->stl != "BLD" || i.operands.empty()) return;
+    const std::int64_t block = i.operands[0].value - interruptMark;
+    if ((block == 35 || block == 40) && block > running) {  // OB40 has the higher priority
+      const std::int64_t interrupted = std::exchange(running, block);
+      scan.interrupt(static_cast<int>(block), machine.d.constant(true));
+      running = interrupted;
+    }
     const Registers& use = i.operands[0].value == putMark ? put : take;
     if (!use || (i.operands[0].value != putMark && i.operands[0].value != takeMark)) return;
     auto& s = machine.step7;
@@ -74,7 +84,7 @@ bool runOn(Machine<D>& machine, std::uint32_t ms, const Registers& put, const Re
   machine.set(Reg::LastScan, 0, ms);
   endScanOfTimers(machine, ms);
   beginScanOfTimers(machine);
-  MarkHooks hooks{put, take};
+  MarkHooks hooks{.put = put, .take = take};
   Scan<D, MarkHooks> scan(machine, hooks, 100000);
   scan.program();
   return !machine.halted && !machine.faulted;

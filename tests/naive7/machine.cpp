@@ -35,6 +35,7 @@ void Machine::run(const std::string& block) {
 void Machine::runStatements(const Block& block) {
   frames_.clear();
   steps_ = 0;
+  running_ = 1;
   frames_.emplace_back();
   frame().block = &block;
   std::size_t next = 0;
@@ -152,10 +153,42 @@ void Machine::call(const Statement& s) {
   for (const auto& [inside, outside] : results) write(outside, read(inside));
 }
 
+void Machine::interrupt(int block) {
+  const auto source = program_->blocks.find("OB" + std::to_string(block));
+  if (block <= running_ || source == program_->blocks.end()) return;
+  const Block& found = source->second;
+  const int interrupted = std::exchange(running_, block);
+  const std::string status = statusText();
+  const std::vector<std::uint32_t> registers = {accu[0], accu[1], accu[2], accu[3], ar[0], ar[1]};
+  const int savedDb = db, savedDi = di;
+  std::vector<Frame> frames = std::move(frames_);
+  setStatus("000000000");
+  for (std::uint32_t& each : accu) each = 0;
+  ar[0] = ar[1] = 0;
+  db = di = 0;
+  frames_.clear();
+  frames_.emplace_back();
+  frame().block = &found;
+  std::size_t next = 0;
+  while (next < found.statements.size()) {
+    const Statement& s = found.statements[next++];
+    if (!step(s, next)) break;
+  }
+  frames_ = std::move(frames);
+  running_ = interrupted;
+  setStatus(status);
+  for (std::size_t i = 0; i < 4; ++i) accu[i] = registers[i];
+  ar[0] = registers[4];
+  ar[1] = registers[5];
+  db = savedDb;
+  di = savedDi;
+}
+
 bool Machine::step(const Statement& s, std::size_t& next) {
   if (++steps_ > 2000000) throw Stop{0xFF, "endless program"};
   const std::string& op = s.op;
   if (op == "@") return mark(), true;
+  if (op == "BLD" && (s.operand == "235" || s.operand == "240")) return interrupt(std::stoi(s.operand) - 200), true;
   if (op == "BE" || op == "BEU") return false;
   if (op == "BEC") {
     const bool isEnd = rlo;

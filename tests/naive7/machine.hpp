@@ -123,6 +123,7 @@ class Machine {
   };
 
   bool step(const Statement& s, std::size_t& next);  ///< false: the block ends
+  void interrupt(int block);                         ///< an organization block, if its priority is the higher one
   bool bitStatement(const Statement& s);
   bool wordStatement(const Statement& s);
   bool realStatement(const Statement& s);
@@ -159,6 +160,7 @@ class Machine {
   bool is400_;
   std::vector<Frame> frames_;
   std::int64_t steps_ = 0;
+  int running_ = 1;  ///< organization block
 };
 
 /// A pointer constant: `P#DB1.DBX 4.0 INT 2`.

@@ -99,9 +99,8 @@ std::string ProgramGenerator::fb2() {
          text_ + "END_FUNCTION_BLOCK\n";
 }
 
-std::string ProgramGenerator::ob1() {
-  text_.clear();
-  isOb1_ = mayCall_ = true;
+/// Of an organization block.
+void ProgramGenerator::ownRegisters() {
   // Every register has a value before it is used.
   for (const char* s : {"CLR", "SAVE", "L 0", "T LD 20", "T LD 24", "T LD 28", "T LD 32", "T LD 36", "T LD 40", "L 0",
                         "+I", "JOS p1", "p1: OPN DB 1", "OPN DI 2", "LAR1 P#1.0", "LAR2 P#2.0", "L 1", "L 2"}) {
@@ -111,6 +110,12 @@ std::string ProgramGenerator::ob1() {
     say("ENT");
     say("ENT");
   }
+}
+
+std::string ProgramGenerator::ob1() {
+  text_.clear();
+  isOb1_ = mayCall_ = true;
+  ownRegisters();
   const int wrong =
       choices_.errors && chance(12) ? static_cast<int>(below(static_cast<std::uint32_t>(choices_.snippets))) : -1;
   for (int i = 0; i < choices_.snippets; ++i) {
@@ -137,6 +142,36 @@ std::string ProgramGenerator::ob1() {
          text_ + "END_ORGANIZATION_BLOCK\n";
 }
 
+/// A block that interrupts: its registers have values of its own before they are used.
+std::string ProgramGenerator::interruptBlock(int number) {
+  text_.clear();
+  isOb1_ = mayCall_ = true;
+  ownRegisters();
+  for (int i = 1 + static_cast<int>(below(3)); i > 0; --i) snippet(0);
+  isOb1_ = mayCall_ = false;
+  return "ORGANIZATION_BLOCK OB " + std::to_string(number) +
+         "\nVAR_TEMP\n  start : ARRAY [0 .. 19] OF BYTE ;\n  own : ARRAY [0 .. 23] OF BYTE "
+         ";\nEND_VAR\nBEGIN\nNETWORK\n" +
+         text_ + "END_ORGANIZATION_BLOCK\n";
+}
+
+/// The source with marks in front of some of its statements, but not within the list of a JL.
+std::string ProgramGenerator::interrupted(const std::string& source, const std::vector<std::string>& marks) {
+  std::string result;
+  bool isBody = false;
+  for (std::size_t at = 0; at < source.size();) {
+    const std::size_t end = source.find('\n', at) + 1;
+    const std::string line = source.substr(at, end - at);
+    at = end;
+    if (line == "NETWORK\n") isBody = true;
+    if (line.starts_with("END_")) isBody = false;
+    if (isBody && line.starts_with("  ") && !line.starts_with("  JU ") && chance(4))
+      result += "  " + pick(marks) + " ;\n";
+    result += line;
+  }
+  return result;
+}
+
 std::string ProgramGenerator::program() {
   std::string sources =
       "DATA_BLOCK DB 1\nSTRUCT\n  b : ARRAY [0 .. 99] OF BYTE ;\nEND_STRUCT ;\nBEGIN\nEND_DATA_BLOCK\n"
@@ -145,7 +180,14 @@ std::string ProgramGenerator::program() {
   for (const char* number : {"3\nFB 1", "4\nFB 2", "5\nFB 3"})
     sources += std::string("DATA_BLOCK DB ") + number + "\nBEGIN\nEND_DATA_BLOCK\n";
   sources += fc1() + fc2() + fc3() + fc4() + fc5() + fc6() + ob1();
-  return sources;
+  if (!choices_.interrupts) return sources;
+  const std::uint32_t which = below(3);  // OB35, OB40, both; OB40 has the higher priority and interrupts OB35
+  std::vector<std::string> marks;
+  if (which != 1) marks.emplace_back("BLD 235");
+  if (which != 0) marks.emplace_back("BLD 240");
+  sources = interrupted(sources, marks);
+  if (which != 1) sources += which == 0 ? interruptBlock(35) : interrupted(interruptBlock(35), {"BLD 240"});
+  return which == 0 ? sources : sources + interruptBlock(40);
 }
 
 }  // namespace naive7

@@ -16,13 +16,16 @@ struct GeneratorChoices {
   bool timers = true;
   bool overlappingModules = true;  ///< PIW 256, PIW 257, PIB 258 ...: otherwise each byte of PI is read by one name
   int snippets = 12;               ///< of OB1
+  /// OB35 and OB40 too; where a run of the text has an interrupt, BLD 235 and BLD 240 stand.
+  bool interrupts = false;
 };
 
 class ProgramGenerator {
  public:
   ProgramGenerator(std::uint64_t seed, const GeneratorChoices& choices) : engine_(seed), choices_(choices) {}
 
-  /// DB1 (100 bytes), DB2 (20), DB3, DB4 and DB5 (instances), FB1 to FB3, FC1 to FC6, OB1; one statement a line.
+  /// DB1 (100 bytes), DB2 (20), DB3, DB4 and DB5 (instances), FB1 to FB3, FC1 to FC6, OB1, now and then OB35 and OB40;
+  /// one statement a line.
   std::string program();
 
   /// 0 .. limit - 1.
@@ -81,7 +84,10 @@ class ProgramGenerator {
   std::string fb1();
   std::string fb2();
   std::string fb3();
+  void ownRegisters();
   std::string ob1();
+  std::string interruptBlock(int number);
+  std::string interrupted(const std::string& source, const std::vector<std::string>& marks);
 
   std::mt19937_64 engine_;
   GeneratorChoices choices_;
