@@ -10,6 +10,7 @@
 
 #include "tests/agreement7/engine_run.hpp"
 #include "tests/agreement7/ir_of_text.hpp"
+#include "tests/naive7/case_table.hpp"
 #include "tests/naive7/program_generator.hpp"
 
 namespace rungproof::agreement7 {
@@ -117,6 +118,20 @@ std::string shrunk(std::string text, std::uint64_t seed, bool is400) {
 std::uint64_t given(const char* name, std::uint64_t standard) {
   const char* text = std::getenv(name);
   return text == nullptr ? standard : std::strtoull(text, nullptr, 10);
+}
+
+// Between L and T an interrupt comes: ACCU1 is as before behind it, and what it writes stays.
+TEST(Differential7, MarksInterrupt) {
+  const std::string text =
+      naive7::organizationBlock("  L 5 ;\n  BLD 235 ;\n  T MW 10 ;\n") +
+      "ORGANIZATION_BLOCK OB 35\nBEGIN\nNETWORK\n  L 7 ;\n  T MW 12 ;\nEND_ORGANIZATION_BLOCK\n";
+  const naive7::Program blocks = naive7::readProgram(text);
+  naive7::Machine plain(blocks, false);
+  plain.run("OB1");
+  EXPECT_EQ(plain.memory[11], 5);
+  EXPECT_EQ(plain.memory[13], 7);
+  int scans = 0, stops = 0;
+  EXPECT_EQ(firstDifference(text, 1, false, scans, stops), "");
 }
 
 TEST(Differential7, EngineAgreesWithTheNaiveInterpreter) {
