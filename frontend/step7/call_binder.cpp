@@ -153,7 +153,7 @@ bool StatementBinder::call(const Desc& desc, const Statement& statement) {
        }));
   if (parameters == nullptr || isOtherFc)
     return refuse(Syntax::BlockMissing, statement.operand.span,
-                  fmt::format("{} is in none of the files", toString(callee)));
+                  fmt::format("{} is in none of the files", toString(callee)), standInHelp);
   const bool isBlockWithInstance = callee.kind == BlockKind::Fb || callee.kind == BlockKind::Sfb;
   Instruction instruction;
   rungproof::Operand number = constant(irNumber(callee), ConstantForm::Typed);

@@ -8,6 +8,12 @@
 
 namespace rungproof::step7 {
 
+/// Of a block without statements: it may write any memory by its address, so nothing is proved beside it.
+inline constexpr const char* standInHelp =
+    "nothing is proved of a program that runs it, since it may write any memory; name its source, or a stand-in of the "
+    "same number and interface that does what you know of it, with L PIW 1000 for a word of any value: verdicts are "
+    "about that";
+
 class Reports {
  public:
   explicit Reports(Program& program) : program_(program) {}

@@ -267,7 +267,7 @@ class ProjectBuilder {
     if (isEmpty && (syntax.knowHowProtected || (!syntax.hasBody && entry.key.kind != BlockKind::Ob))) {
       pou.protectedBlock = true;
       reports_.report(Syntax::ProtectedBlock, syntax.heading,
-                      fmt::format("{} is there as an interface only", entry.name), entry.name, 0);
+                      fmt::format("{} is there as an interface only", entry.name), entry.name, 0, standInHelp);
     }
     statements.findLabels(syntax, scope);
     const MnemonicSet set = sets_[syntax.heading.file];

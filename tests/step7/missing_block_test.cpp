@@ -74,6 +74,25 @@ TEST(MissingBlocks, AreNamedByProofs) {
   EXPECT_FALSE(proofOf(any, all).has("no block for an event"));
 }
 
+// A block without statements may write any place, so that nothing is proved; the help says how to stand in for it. The
+// stand-in gives any value of its output and writes nothing else.
+TEST(MissingBlocks, ThatAreCalledHaveAStandIn) {
+  const std::string head = "FUNCTION FC 7 : VOID\n", lists = "VAR_OUTPUT\n  y : INT;\nEND_VAR\nBEGIN\n";
+  const std::string caller = block(1, "CALL FC 7 (y := MW 2);A I 0.0;= Q 0.0"), end = "END_FUNCTION\n";
+  const std::string properties = "prove same: Q0.0 = I0.0\nprove none: MW2 = 0\nreach big: MW2 = 1234\n";
+  const std::string hidden = head + "KNOW_HOW_PROTECT\n" + lists + end + caller;
+  EXPECT_TRUE(proofOf(properties, hidden).has("NOT COVERED  same"));
+  for (const std::string& blocks : {hidden, caller}) {
+    const test::TemporaryFolder folder;
+    folder.file("main.awl", blocks);
+    const Output lint = run({"lint", folder.path("main.awl")});
+    EXPECT_TRUE(lint.has("stand-in") && lint.has("L PIW 1000")) << lint.text;
+  }
+  const Output output = proofOf(properties, head + lists + "NETWORK\nL PIW 1000;\nT #y;\n" + end + caller);
+  EXPECT_TRUE(output.has("PROVED  same") && output.has("VIOLATED  none") && output.has("REACHABLE  big"))
+      << output.text;
+}
+
 TEST(MissingBlocks, AreExplained) {
   EXPECT_TRUE(run({"explain", "OB82"}).has("the CPU stops (002:1278)"));
   EXPECT_TRUE(run({"explain", "OB81"}).has("nothing happens"));
