@@ -12,6 +12,7 @@
 
 #include "analysis/graph/evaluate.hpp"
 #include "analysis/graph/substitution.hpp"
+#include "analysis/portfolio/sum_facts.hpp"
 #include "analysis/portfolio/word_change.hpp"
 #include "analysis/schedule/schedule.hpp"
 
@@ -142,7 +143,7 @@ class SumSearch {
     kept.next = withParts(kept.sum, all, kept.steps);
     if (!consistsOfSums(graph_, kept)) return;
     kept.steps.push_back(graph_.make(Op::Equal, 1, kept.next, kept.sum));
-    boundTerms(kept.sum, kept.facts);
+    kept.facts = factsOfSum(graph_, kept.sum, limits_);
     if (asked.left != noNode)
       kept.facts.push_back(graph_.make(Op::Equal, 1, isZero(kept.sum),
                                        graph_.make(Op::Equal, 1, atStart(asked.left), atStart(asked.right))));
@@ -201,75 +202,6 @@ class SumSearch {
       if (single.endsPair) nothings.push_back(isZero(change));
     }
     return change == nothing ? sum : graph_.make(Op::Add, width, sum, change);
-  }
-
-  /// Without terms below zero, no part of a sum is more than the whole.
-  void boundTerms(Node root, std::vector<Node>& facts) {
-    const NodeData node = graph_[root];
-    if (isExtension(root)) return boundTerms(node.child[0], facts);
-    if (node.op == Op::Sub) {
-      boundTerms(node.child[0], facts);
-      boundTerms(node.child[1], facts);
-    }
-    if (node.op != Op::Add) return;
-    std::vector<Node> parts;
-    if (!boundParts(root, facts, parts)) return;
-    const Node isPositive = nonNegative(root);
-    for (auto part = parts.rbegin(); part != parts.rend(); ++part)
-      facts.push_back(implied(isPositive, notMore(*part, root)));
-  }
-  /// Of each sum under the root, those above first: false if something is taken away.
-  bool boundParts(Node sum, std::vector<Node>& facts, std::vector<Node>& parts) {
-    if (isExtension(sum)) return boundParts(graph_[sum].child[0], facts, parts);
-    if (graph_[sum].op == Op::Sub) return false;
-    if (graph_[sum].op != Op::Add) return true;
-    const auto children = graph_[sum].child;
-    for (const Node child : {children[0], children[1]}) {
-      if (!boundParts(child, facts, parts)) return false;
-    }
-    const Node both = graph_.make(Op::And, 1, nonNegative(children[0]), nonNegative(children[1]));
-    facts.push_back(implied(both, graph_.make(Op::Not, 1, isNegative(sum))));
-    for (const Node child : {children[0], children[1]}) {
-      facts.push_back(implied(both, notMore(child, sum)));
-      parts.push_back(child);
-    }
-    int taken = 0;
-    for (auto limit = limits_.upper_bound(0); limit != limits_.end() && taken < schedule::limitsOfSums;
-         ++limit, ++taken) {
-      const std::optional<Node> a = within(children[0], *limit), b = within(children[1], *limit),
-                                c = within(sum, *limit);
-      if (a && b && c) facts.push_back(implied(graph_.make(Op::And, 1, *a, *b), *c));
-    }
-    return true;
-  }
-  static std::int64_t termsOf(const Graph& graph, Node n) {
-    const NodeData& node = graph[n];
-    if (node.op == Op::Sext || node.op == Op::Zext) return termsOf(graph, node.child[0]);
-    return node.op == Op::Add ? termsOf(graph, node.child[0]) + termsOf(graph, node.child[1]) : 1;
-  }
-  /// That a sum of n terms is no more than n times the limit; nothing if that has no place in its width.
-  std::optional<Node> within(Node n, std::int64_t limit) {
-    const int width = graph_[n].width;
-    const std::int64_t most = termsOf(graph_, n) * limit;
-    if (width > 62 || most >= std::int64_t{1} << (width - 1)) return std::nullopt;
-    const Node bound = graph_.constantNode(static_cast<std::uint64_t>(most), width);
-    return graph_.make(Op::Not, 1, graph_.make(Op::Slt, 1, bound, n));
-  }
-  Node implied(Node premise, Node conclusion) {
-    return graph_.make(Op::Or, 1, graph_.make(Op::Not, 1, premise), conclusion);
-  }
-  Node isNegative(Node n) { return graph_.make(Op::Slt, 1, n, graph_.constantNode(0, graph_[n].width)); }
-  Node notMore(Node part, Node sum) {
-    const int width = graph_[sum].width;
-    return graph_.make(Op::Not, 1, graph_.make(Op::Slt, 1, sum, extended(part, width, Op::Sext)));
-  }
-  /// All terms of a sum.
-  Node nonNegative(Node n) {
-    const NodeData node = graph_[n];
-    if (node.op == Op::Zext) return graph_.constantNode(1, 1);
-    if (node.op == Op::Sext) return nonNegative(node.child[0]);
-    if (node.op == Op::Add) return graph_.make(Op::And, 1, nonNegative(node.child[0]), nonNegative(node.child[1]));
-    return graph_.make(Op::Not, 1, isNegative(n));
   }
 
   void guess(Node n) {

@@ -5,6 +5,7 @@
 
 #include "analysis/graph/evaluate.hpp"
 #include "analysis/portfolio/invariants_sums.hpp"
+#include "analysis/portfolio/sum_facts.hpp"
 #include "analysis/portfolio/word_change.hpp"
 
 namespace rungproof::test {
@@ -86,6 +87,32 @@ TEST(Sums, TheirTheoremHoldsWhateverTheWordsAre) {
       evaluator.run();
       ASSERT_EQ(evaluator[asked.theorems[0]], 1U) << n << " accounts, seed " << seed << ", sample " << sample;
     }
+  }
+}
+
+/// (x + y) + z of words with sign, extended by a bit for each addition: no sum overflows, so that every fact is true.
+TEST(Sums, FactsAreTrueOfAnyWords) {
+  constexpr unsigned seed = 30;
+  RecordProperty("seed", seed);
+  std::mt19937_64 random(seed);
+  Graph graph;
+  std::vector<Node> words;
+  for (const char* name : {"x", "y", "z"}) words.push_back(graph.variable(name, 16, true));
+  const auto extended = [&](Node n, int width) { return graph.make(Op::Sext, width, n); };
+  const Node two = graph.make(Op::Add, 17, extended(words[0], 17), extended(words[1], 17));
+  const Node sum = graph.make(Op::Add, 18, extended(two, 18), extended(words[2], 18));
+  const std::vector<Node> facts = factsOfSum(graph, sum, {0, 100, 30000});
+  // Two additions: not below zero, two parts and two limits each; then four parts against the whole.
+  EXPECT_EQ(facts.size(), 14U);
+  Evaluator evaluator(graph, facts);
+  for (int sample = 0; sample < 5000; ++sample) {
+    for (const Node word : words) {
+      const std::uint64_t value = random() & 0xFFFFU;
+      const std::uint64_t ends[] = {value, value % 101, value % 30001, 0x7FFF, 0x8000, 0};
+      evaluator.set(word, ends[random() % 6]);
+    }
+    evaluator.run();
+    for (const Node fact : facts) ASSERT_EQ(evaluator[fact], 1U) << "seed " << seed << ", sample " << sample;
   }
 }
 
