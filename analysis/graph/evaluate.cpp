@@ -89,21 +89,38 @@ std::vector<Node> coneOf(const Graph& graph, std::span<const Node> roots) {
   return {cone.rbegin(), cone.rend()};
 }
 
-Evaluator::Evaluator(const Graph& graph, std::span<const Node> roots)
-    : graph_(graph), cone_(coneOf(graph, roots)), value_(graph.size(), 0) {}
+Evaluator::Evaluator(const Graph& graph, std::span<const Node> roots) : graph_(graph), value_(graph.size(), 0) {
+  for (const Node n : coneOf(graph, roots)) {
+    const NodeData& node = graph[n];
+    if (node.op == Op::Constant)
+      value_[indexOf(n)] = node.value;
+    else if (node.op != Op::Variable)
+      computed_.push_back(n);
+  }
+}
 
 void Evaluator::set(Node variable, std::uint64_t value) {
   CHECK(graph_[variable].op == Op::Variable, "only variables are set");
   if (indexOf(variable) < value_.size()) value_[indexOf(variable)] = value & Graph::maskOf(graph_[variable].width);
 }
 
+/// Most nodes are choices and truth values: these are computed here, without a look at the widths of operands.
 void Evaluator::run() {
-  for (const Node n : cone_) {
+  for (const Node n : computed_) {
     const NodeData& node = graph_[n];
-    if (node.op == Op::Variable) continue;
     const auto operand = [&](std::size_t i) { return node.child[i] == noNode ? 0 : value_[indexOf(node.child[i])]; };
-    value_[indexOf(n)] = evaluateOperation(node.op, node.width, childWidths(graph_, node),
-                                           {operand(0), operand(1), operand(2)}, node.value);
+    std::uint64_t& value = value_[indexOf(n)];
+    switch (node.op) {
+      case Op::Not: value = ~operand(0) & Graph::maskOf(node.width); break;
+      case Op::And: value = operand(0) & operand(1); break;
+      case Op::Or: value = operand(0) | operand(1); break;
+      case Op::Xor: value = operand(0) ^ operand(1); break;
+      case Op::Equal: value = operand(0) == operand(1) ? 1 : 0; break;
+      case Op::Ite: value = operand(0) != 0 ? operand(1) : operand(2); break;
+      default:
+        value = evaluateOperation(node.op, node.width, childWidths(graph_, node), {operand(0), operand(1), operand(2)},
+                                  node.value);
+    }
   }
 }
 

@@ -31,7 +31,7 @@ class Evaluator {
 
  private:
   const Graph& graph_;
-  std::vector<Node> cone_;
+  std::vector<Node> computed_;  ///< of the cone: operations, each after its operands
   std::vector<std::uint64_t> value_;
 };
 

@@ -23,7 +23,6 @@ std::vector<Node> ScanRun::rootsOf(const EncodedScan& scan, const TransitionSyst
   }
   roots.insert(roots.end(), system.inputs.begin(), system.inputs.end());
   roots.insert(roots.end(), system.constraints.begin(), system.constraints.end());
-  for (const Question& q : system.questions) roots.push_back(q.bad);
   for (const ExternalInput& e : scan.externals()) {
     roots.push_back(e.guard);
     if (e.node != noNode) roots.push_back(e.node);
