@@ -25,7 +25,7 @@ bool QuestionSearch::searchWithoutEstimates(std::size_t question, QuestionAnswer
     for (const Node used : estimates) system.constraints.push_back(system.graph->make(Op::Not, 1, used));
     return system;
   };
-  if (!isWritten && !withoutEstimates_.contains(question))
+  if (!isWritten && !triedTogether_.contains(question))
     askWithoutEstimates(question, estimates, without(exact_->system()));
   QuestionAnswer found;
   const TransitionSystem system = without(isWritten ? written_.at(question) : exact_->only(question));
@@ -45,20 +45,26 @@ void QuestionSearch::askWithoutEstimates(std::size_t question, const std::vector
   Questions alike;
   for (std::size_t q = 0; q < quick_.size(); ++q) {
     const bool isOpen = quick_[q].answer == Answer::Violated && !found_.contains(q) && !written_.contains(q);
-    if (!isOpen || (q != question && estimatesOf(q) != estimates)) continue;
-    std::optional<Witness> witness = q == question ? std::nullopt : confirmed(q, *quick_[q].trace);
-    if (witness)
+    if (!isOpen || triedTogether_.contains(q) || (q != question && estimatesOf(q) != estimates)) continue;
+    const bool isKnown = q == question || unconfirmed_.contains(q);
+    std::optional<Witness> witness = isKnown ? std::nullopt : confirmed(q, *quick_[q].trace);
+    if (witness) {
       found_.emplace(q, std::move(*witness));
-    else
-      alike.push_back(q);
+      continue;
+    }
+    unconfirmed_.insert(q);
+    alike.push_back(q);
   }
+  if (alike.empty()) return;
   std::atomic<bool> cancel{false};
   const ProofWatch::Guard guard(watch_, cancel);
   PortfolioOptions together = portfolio(left(), deadline_, &cancel);
   together.effort = Effort::Together;
   std::vector<QuestionAnswer> answers = answerQuestions(system, alike, together);
+  const bool isCutOff = !mayGoOn();  // then the next question asks those left again
   for (const std::size_t q : alike) {
     if (answers[q].answer != Answer::Unknown) withoutEstimates_.emplace(q, std::move(answers[q]));
+    if (answers[q].answer != Answer::Unknown || !isCutOff) triedTogether_.insert(q);
   }
 }
 

@@ -161,7 +161,7 @@ QuestionSearch::Found QuestionSearch::answer(std::size_t question, const Time& t
   std::optional<Witness> witness;
   if (const auto found = found_.find(question); found != found_.end())
     witness = found->second;
-  else if (answer.answer == Answer::Violated)
+  else if (answer.answer == Answer::Violated && !unconfirmed_.contains(question))
     witness = confirmed(question, *answer.trace);
   watch_.release();
   const auto isUnconfirmed = [&] { return !witness && answer.answer == Answer::Violated; };
@@ -175,19 +175,18 @@ QuestionSearch::Found QuestionSearch::answer(std::size_t question, const Time& t
     isTried = isUnconfirmed() && !isAskedAgain && searchWithoutEstimates(question, answer, witness);
   }
   if (isUnconfirmed()) witness = own.search(answer, schedule::lastOwnRunsShare);
-  const bool isMinimised = options_.evidence && witness && question < goals_.size() &&
-                           witness->scanCount <= schedule::minimisedScans && !watch_.isStopped();
-  if (isMinimised) {
+  // A run that shows what is wanted is a verdict; how long it is and what matters in it is for people.
+  const bool isForPeople = options_.evidence && witness && question < goals_.size() && !watch_.isStopped() &&
+                           (options_.explains || goals_[question].kind != PropertyKind::Reach);
+  if (!isForPeople) return {std::move(answer), std::move(witness)};
+  const Judge judge(program_, options_.choices, assumptions_, goals_[question]);
+  const double seconds = std::clamp(left(), schedule::leastMinimising, schedule::minimiseSeconds);
+  if (witness->scanCount <= schedule::minimisedScans) {
     const std::uint32_t plainMs =
         std::clamp<std::uint32_t>(ReplayScan{}.lengthMs, options_.time.low, options_.time.high);
-    witness = minimised(Judge(program_, options_.choices, assumptions_, goals_[question]), std::move(*witness), plainMs,
-                        std::clamp(left(), schedule::leastMinimising, schedule::minimiseSeconds), options_.seed);
-  }
-  const bool hasEvents =
-      witness && std::ranges::any_of(witness->scans, [](const ReplayScan& s) { return !s.script.events.empty(); });
-  if (hasEvents && !isMinimised && options_.evidence && question < goals_.size() && !watch_.isStopped()) {
-    witness = withoutIdleEvents(Judge(program_, options_.choices, assumptions_, goals_[question]), std::move(*witness),
-                                std::clamp(left(), schedule::leastMinimising, schedule::minimiseSeconds));
+    witness = minimised(judge, std::move(*witness), plainMs, seconds, options_.seed);
+  } else if (std::ranges::any_of(witness->scans, [](const ReplayScan& s) { return !s.script.events.empty(); })) {
+    witness = withoutIdleEvents(judge, std::move(*witness), seconds);
   }
   return {std::move(answer), std::move(witness)};
 }
@@ -278,7 +277,9 @@ PortfolioOptions QuestionSearch::portfolio(double each, Clock::time_point deadli
   options.deadline = deadline;
   options.memory = options_.memory;
   options.techniques = options_.techniques;
-  if (isOfMany_) options.techniques.leaveOut(Technique::Bounds);  // which were looked for with all questions together
+  if (isOfMany_) {  // what these find was looked for with all questions together
+    for (const Technique technique : {Technique::Bounds, Technique::EqualGates}) options.techniques.leaveOut(technique);
+  }
   options.log = &log_;
   options.check = options_.evidence;
   if (options_.evidence)
@@ -490,6 +491,10 @@ QuestionSearch::Found QuestionSearch::race(std::size_t question) {
       PortfolioOptions options = portfolio(left(), deadline_, &cancelFast);
       options.jobs = 1;
       options.check = false;
+      if (isOfMany_) {  // only runs count here, and the time is short
+        for (const Technique technique : {Technique::KInduction, Technique::WordIc3})
+          options.techniques.leaveOut(technique);
+      }
       options.log = nullptr;
       TechniqueTurn turn(&log_, Technique::Accelerated, 1);
       QuestionAnswer answer = answerQuestions(*accelerated, options)[0];
@@ -554,13 +559,15 @@ std::optional<Witness> QuestionSearch::replayed(QuestionSystem& side, const Tran
 /// The same for a built-in check, whose nodes the exact graph knows.
 std::optional<Witness> QuestionSearch::replayedCheck(const TransitionSystem& system, std::size_t question,
                                                      const WordTrace& trace) {
+  if (!replayedCone_ || replayedCone_->first != question)
+    replayedCone_.emplace(question, exact_->variablesOf(question));
   const QuestionWitness asked(exact_->askedProperties().encoding(), exact_->system(),
-                              exact_->system().questions[question].bad, exact_->variablesOf(question));
+                              exact_->system().questions[question].bad, replayedCone_->second);
   std::optional<ExactRun> run = asked.runOf(system, trace, options_.time);
   std::optional<Witness> witness = run ? asked.witness(program_, options_.choices, *run) : std::nullopt;
   const std::size_t check = question - goals_.size();
-  const bool isShownToPeople =
-      options_.evidence && check < exact_->checks().size() && isAskedByProve(*exact_->checks()[check].rule);
+  const bool isShownToPeople = options_.evidence && options_.explains && check < exact_->checks().size() &&
+                               isAskedByProve(*exact_->checks()[check].rule);
   if (!witness || !isShownToPeople || witness->scanCount > schedule::minimisedScans || watch_.isStopped())
     return witness;
   std::vector<std::vector<bool>> matters;

@@ -23,10 +23,10 @@ struct ExactRun {
 /// One question about an encoding.
 class QuestionWitness {
  public:
-  /// `cone`: the variables (node indices) that the question depends on.
+  /// `cone`: the variables (node indices) that the question depends on; it must outlive this.
   QuestionWitness(EncodedScan& encoding, const TransitionSystem& system, Node bad,
-                  std::unordered_set<std::uint32_t> cone)
-      : encoding_(encoding), system_(system), bad_(bad), cone_(std::move(cone)) {}
+                  const std::unordered_set<std::uint32_t>& cone)
+      : encoding_(encoding), system_(system), bad_(bad), cone_(cone) {}
 
   /// The run that `trace` of another system over the same program describes, up to the scan in which the question's
   /// node is 1; nothing if it never is. Scans longer than the range become several.
@@ -41,7 +41,7 @@ class QuestionWitness {
   EncodedScan& encoding_;
   const TransitionSystem& system_;
   Node bad_;
-  std::unordered_set<std::uint32_t> cone_;
+  const std::unordered_set<std::uint32_t>& cone_;
 };
 
 }  // namespace rungproof
