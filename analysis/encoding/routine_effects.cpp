@@ -19,7 +19,7 @@ constexpr int trialLoops = 40;                  ///< rounds of a loop
 constexpr std::size_t mostRoutinesPaired = 12;  ///< more are not tried in both orders
 constexpr std::size_t mostConstantsTried = 12;
 constexpr int samples = 300;                            ///< random states that weed out bounds
-constexpr unsigned proofLimit = 1000;                   ///< ms of one proof
+constexpr unsigned proofLimit = 400;                    ///< ms of one proof: those of REAL arithmetic come to no end
 constexpr std::chrono::milliseconds searchLimit{3000};  ///< for all proofs
 
 bool isKeptAround(const Place& place) {

@@ -370,6 +370,7 @@ class Stages {
       questions[i].verdict.depth = answers_[open_[i]].depth;
       // Certificates leave REAL operations open.
       if (!blast_->unmodelled().empty() || !techniques.has(Technique::WordIc3)) continue;
+      if (static_cast<double>(cones[i].system.gates.size()) > schedule::wordEngineCone * seconds) continue;
       EngineOptions options;
       options.seed = options_.seed;
       words[i] = makeWordEngine(system_, open_[i], options);

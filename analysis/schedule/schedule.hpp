@@ -14,8 +14,8 @@
   /* A question and its time */ \
   ROW(double, questionSeconds, 60, "s", "for each question, where the caller says nothing") \
   ROW(double, ruleSeconds, 2, "s", "for a question of a rule in lint: there are hundreds of them") \
-  ROW(double, ruleProcessorSeconds, 0.2, "s", "of the processor for each search for such an answer, after all have been looked at together") \
-  ROW(double, ruleHeldSeconds, 0.2, "s", "of these for runs with held inputs, which find what waits for long counts") \
+  ROW(double, ruleProcessorSeconds, 0.12, "s", "of the processor for each search for such an answer, after all have been looked at together") \
+  ROW(double, ruleHeldSeconds, 0.12, "s", "of these for runs with held inputs, which find what waits for long counts") \
   ROW(double, rulesShare, 0.75, "of lint --prove", "for all rules but those about power-up, which need a run of their own") \
   ROW(double, premiseSeconds, 5, "s", "for a question that a verdict is checked with, such as its premise") \
   ROW(double, quickSeconds, 0.5, "s", "for each question while all are looked at together") \
@@ -194,6 +194,7 @@
   ROW(std::size_t, wordEngineGates, 200'000'000, "gates", "evaluated for them at most") \
   ROW(std::size_t, wordEngineSamples, 1024, "states", "kept of them") \
   ROW(std::size_t, firstRestart, 2000, "queries", "before a search begins anew, twice as many each time: a good one needs a thousand, one with the wrong predicates goes on") \
+  ROW(double, wordEngineCone, 400'000, "gates", "of a scan for each second of a question, in which the engine gets ready; larger ones are left to others") \
   ROW(double, firstTermSlice, 0.05, "s", "that Z3 works before it looks at the budget, at first") \
   ROW(std::size_t, predicateStore, 1500, "predicates", "that are at hand") \
   ROW(std::size_t, mostTelling, 3, "predicates", "that tell two states apart, added by one refinement") \
