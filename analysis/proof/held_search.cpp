@@ -11,7 +11,7 @@ std::optional<QuestionSearch::Found> QuestionSearch::heldRun(std::size_t questio
   const ProofWatch::Guard guard(watch_, cancel);
   PortfolioOptions options = portfolio(std::min(left(), schedule::ruleHeldSeconds), deadline_, &cancel);
   for (const TechniqueInfo& info : techniqueTable()) {
-    if (info.id != Technique::HeldInputs && info.id != Technique::Merging) options.techniques.leaveOut(info.id);
+    if (info.id != Technique::HeldInputs) options.techniques.leaveOut(info.id);
   }
   if (!options.techniques.has(Technique::HeldInputs)) return std::nullopt;
   QuestionAnswer answer = answerQuestions(system, options)[0];
