@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "analysis/schedule/schedule.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -29,7 +31,10 @@ class ChangeSearch {
 
   Sum of(Node n) {
     if (const auto known = known_.find(indexOf(n)); known != known_.end()) return known->second;
-    const Sum sum = made(n);
+    ++depth_;
+    Sum sum = depth_ > schedule::changeDepth ? whole(n) : made(n);
+    if (sum.parts.size() > schedule::changeParts) sum = whole(n);
+    --depth_;
     known_.emplace(indexOf(n), sum);
     return sum;
   }
@@ -79,6 +84,7 @@ class ChangeSearch {
 
   Graph& graph_;
   const Node word_;
+  int depth_ = 0;
   std::unordered_map<std::uint32_t, Sum> known_;
 };
 

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/schedule/schedule.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -21,14 +23,16 @@ struct SignedRange {
 bool isAddition(const NodeData& node) { return node.op == Op::Add || node.op == Op::Sub; }
 
 /// Of a node as a number with sign, where no addition under it leaves the width that it is made in.
-std::optional<SignedRange> exactRangeOf(const Graph& graph, Node n) {
+std::optional<SignedRange> exactRangeOf(const Graph& graph, Node n, int& opened) {
   const NodeData& node = graph[n];
   if (node.width > 62) return std::nullopt;
   const std::int64_t half = std::int64_t{1} << (node.width - 1);
-  if (node.op == Op::Sext) return exactRangeOf(graph, node.child[0]);
+  if (node.op == Op::Sext) return exactRangeOf(graph, node.child[0], opened);
   if (node.op == Op::Zext) return SignedRange{0, static_cast<std::int64_t>(Graph::maskOf(graph[node.child[0]].width))};
   if (!isAddition(node)) return SignedRange{-half, half - 1};
-  const std::optional<SignedRange> a = exactRangeOf(graph, node.child[0]), b = exactRangeOf(graph, node.child[1]);
+  if (++opened > schedule::sumAdditions) return std::nullopt;
+  const std::optional<SignedRange> a = exactRangeOf(graph, node.child[0], opened);
+  const std::optional<SignedRange> b = a ? exactRangeOf(graph, node.child[1], opened) : std::nullopt;
   if (!a || !b) return std::nullopt;
   const SignedRange sum = node.op == Op::Add ? SignedRange{a->low + b->low, a->high + b->high}
                                              : SignedRange{a->low - b->high, a->high - b->low};
@@ -45,12 +49,14 @@ std::optional<std::uint64_t> constantOf(const Graph& graph, std::vector<SignedNo
   }
   std::map<std::pair<std::uint32_t, Op>, std::uint64_t> coefficient;
   std::uint64_t constant = 0;
+  int opened = 0;
   while (!open.empty()) {
+    if (++opened > schedule::sumAdditions) return std::nullopt;
     const auto [n, isSubtracted] = open.back();
     open.pop_back();
     const NodeData& node = graph[n];
     const bool isExact = isAddition(node) || (node.op == Op::Sext && isAddition(graph[node.child[0]]) &&
-                                              exactRangeOf(graph, node.child[0]).has_value());
+                                              exactRangeOf(graph, node.child[0], opened).has_value());
     if (isAddition(node) && isExact) {
       open.emplace_back(node.child[0], isSubtracted);
       open.emplace_back(node.child[1], isSubtracted != (node.op == Op::Sub));

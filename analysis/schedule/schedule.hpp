@@ -117,6 +117,9 @@
   ROW(double, unguidedSeconds, 0.02, "s", "for candidates after a scan, before the guide is asked") \
   ROW(double, guideSeconds, 0.05, "s", "for each gate of a guide through what a scan makes of invariants") \
   ROW(double, sumSeconds, 4, "s", "for what is kept of sums that questions ask for") \
+  ROW(int, sumAdditions, 10'000, "additions", "that the form of a sum is looked into, all ways to one counted") \
+  ROW(std::size_t, changeParts, 64, "parts", "of what a scan adds to a word; one that is counted in more places is no account") \
+  ROW(int, changeDepth, 1000, "nodes", "below each other, in which it is looked for") \
   ROW(std::size_t, sumTerms, 24, "words", "of a sum") \
   ROW(int, limitsOfSums, 3, "constants", "of these that whole sums are bounded by") \
   ROW(std::size_t, sumLimits, 8, "constants", "that the words of sums may end at") \

@@ -129,5 +129,15 @@ TEST(KeptSum, LooksIntoExactSumsOnly) {
   }
 }
 
+/// An amount that was doubled forty times is not written out as 2^40 amounts.
+TEST(KeptSum, LeavesDoubledAmountsAlone) {
+  Graph graph(Rewriting::None);
+  const Node word = graph.variable("word", wide, true);
+  Node amount = graph.variable("amount", wide, false);
+  for (int i = 0; i < 40; ++i) amount = graph.make(Op::Add, wide, amount, amount);
+  const Node next = graph.make(Op::Add, wide, word, amount);
+  EXPECT_FALSE(consistsOfSums(graph, KeptSum{{{word, next, false, noNode}}, word, next, {}, {}}));
+}
+
 }  // namespace
 }  // namespace rungproof::test

@@ -30,6 +30,18 @@ TEST(WordChange, FollowsChoices) {
   EXPECT_FALSE(changeOf(graph, word, graph.make(Op::Add, 16, word, word)).has_value());
 }
 
+/// A word that ten thousand networks count up one after the other is none of an account; the search ends soon.
+TEST(WordChange, LongProgramsAreLeftAlone) {
+  Graph graph;
+  const Node word = graph.variable("word", 16, true), one = graph.constantNode(1, 16);
+  Node next = word;
+  for (int i = 0; i < 10'000; ++i) {
+    const Node counts = graph.variable("counts" + std::to_string(i), 1, false);
+    next = graph.make(Op::Ite, 16, counts, graph.make(Op::Add, 16, next, one), next);
+  }
+  EXPECT_FALSE(changeOf(graph, word, next).has_value());
+}
+
 /// Accounts in a ring, of which each gives one to the next where its input is on and something is left. Bad: the sum
 /// is not 9, or one is negative.
 class Ring {
