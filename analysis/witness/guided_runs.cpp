@@ -262,26 +262,31 @@ class GuidedSearch {
   bool confirm(const Run& run, std::uint64_t last) {
     std::vector<ReplayScan> scans = run.scans;
     if (run.comesAgain && scans.size() == 1) scans[0].repeats = endless;
+    if (run.comesAgain && scans.size() > 1) scans.reserve(std::max<std::size_t>(scans.size(), last));
     while (run.comesAgain && scans.size() > 1 && scans.size() < last) scans.push_back(scans[scans.size() - 2]);
     Course course(*this);
     std::size_t step = ~std::size_t{0};
     std::uint32_t round = 0;
-    std::vector<std::optional<Witness>> shown(goals_.size());
+    struct Shown {
+      std::size_t goal, scans;
+      std::uint32_t rounds;
+    };
+    std::vector<Shown> shown;
     replay(program_, choices_, scans, nullptr, [&](const Concrete::Store& state, std::size_t at) {
       round = at == step ? round + 1 : 0;
       step = at;
       const bool isOpen = course.look(state, scans[at], [&](std::size_t goal) {
-        shown[goal] = witnessOf({scans.begin(), scans.begin() + static_cast<std::ptrdiff_t>(at) + 1}, round + 1);
+        shown.push_back({goal, at + 1, round + 1});
       });
       return isOpen && course.count() < last;
     });
-    bool hasShown = false;
-    for (std::size_t g = 0; g < goals_.size(); ++g) {
-      if (!shown[g]) continue;
-      found_[g] = std::move(shown[g]);
-      hasShown = true;
+    // From the longest run to the shortest, which may be cut out of it.
+    for (auto next = shown.rbegin(); next != shown.rend(); ++next) {
+      scans.resize(next->scans);
+      const bool isLast = next + 1 == shown.rend();
+      found_[next->goal] = witnessOf(isLast ? std::move(scans) : scans, next->rounds);
     }
-    return hasShown;
+    return !shown.empty();
   }
 
   /// `rounds`: of the last scan.
