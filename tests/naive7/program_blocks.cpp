@@ -159,14 +159,18 @@ std::string ProgramGenerator::interruptBlock(int number) {
 std::string ProgramGenerator::interrupted(const std::string& source, const std::vector<std::string>& marks) {
   std::string result;
   bool isBody = false;
+  std::string listEnd;  // the label behind the list of a JL
   for (std::size_t at = 0; at < source.size();) {
     const std::size_t end = source.find('\n', at) + 1;
     const std::string line = source.substr(at, end - at);
     at = end;
     if (line == "NETWORK\n") isBody = true;
     if (line.starts_with("END_")) isBody = false;
-    if (isBody && line.starts_with("  ") && !line.starts_with("  JU ") && chance(4))
-      result += "  " + pick(marks) + " ;\n";
+    const bool isListed = !listEnd.empty();
+    if (isListed && line.starts_with("  " + listEnd + ":")) listEnd.clear();
+    if (const std::size_t list = line.find(" JL "); list != std::string::npos)
+      listEnd = line.substr(list + 4, line.find(' ', list + 4) - list - 4);
+    if (isBody && line.starts_with("  ") && !isListed && chance(4)) result += "  " + pick(marks) + " ;\n";
     result += line;
   }
   return result;
