@@ -95,8 +95,8 @@ class Stages {
 
   void answerTogether() {
     begin({});
-    mineSums();
     if (!open_.empty()) searchTogether(1, true);
+    if (mineSums()) searchTogether(1, false);
     if (minePairsAgain(true)) searchTogether(1, false);
     if (open_.empty() || !options_.check) return;
     begin({});
@@ -106,11 +106,12 @@ class Stages {
   }
   /// What becomes of the sums that questions ask for is told to the solvers of this stage, and what is kept of them
   /// becomes invariants.
-  void mineSums() {
-    if (open_.empty() || !options_.check || !options_.techniques.has(Technique::Sums)) return;
+  bool mineSums() {
+    if (open_.empty() || !options_.check || !options_.techniques.has(Technique::Sums)) return false;
     const TechniqueTurn turn(options_.log, Technique::Sums, open_.size());
     AskedSums asked = sumsAskedFor(system_, open_);
-    if (asked.sums.empty()) return;
+    if (asked.sums.empty()) return false;
+    begin({});
     mined_ = Technique::Sums;
     blast_->add(asked.theorems);
     blast_->add(asked.guesses);
@@ -125,6 +126,7 @@ class Stages {
     const Budget limit = budget(schedule::sumSeconds);
     invariants_ = mineInvariants(blast_->bits(), {}, guesses, mining, limit);
     sums_ = std::move(asked.sums);
+    return !invariants_.empty();
   }
   bool minePairsAgain(bool askedOnly) {
     if (open_.empty() || !options_.check) return false;
