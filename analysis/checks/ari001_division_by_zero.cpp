@@ -74,6 +74,7 @@ void checkAccus(const Facts& facts, FindingSink& sink) {
           division.span, fmt::format("{} divides by {}, which may be 0", Facts::text(division), facts.name(divisor)));
       finding.related.push_back({load->span, "the divisor"});
       finding.address = toString(divisor);
+      finding.confirmation = Confirmation::NotNeeded;
       finding.help = "compare the divisor with 0 and jump over the division, or ask OV behind it";
     }
   });

@@ -7,9 +7,9 @@
 
 #include "analysis/asking/asking.hpp"
 #include "analysis/flow/facts.hpp"
+#include "analysis/flow/logic_string.hpp"
 #include "analysis/flow/step7_blocks.hpp"
 #include "analysis/rule.hpp"
-#include "ir/s7300/statement_role.hpp"
 
 namespace rungproof {
 
@@ -50,23 +50,18 @@ Toggle rungOf(const Flow& flow, std::uint32_t at, const Operand& bit) {
   return !hasOwn ? Toggle::No : isPlain ? Toggle::Always : Toggle::While;
 }
 
-/// Whether the statement ends a logic string, so that the next scan is the first of another one.
-bool endsString(StatementRole role) {
-  return role == StatementRole::Assign || role == StatementRole::Latch || role == StatementRole::JumpByRlo ||
-         role == StatementRole::JumpKeepingRlo || role == StatementRole::ResetTimer ||
-         role == StatementRole::ResetCounter || role == StatementRole::Call || remembersRlo(role);
-}
-
 /// S7-300/400: AN of a bit alone in front of = of the same bit. With more scans in the string it would be for the
 /// prover, which is not asked.
 void checkStrings(const Facts& facts, FindingSink& sink) {
   eachOwnBlock(facts, [&](std::uint32_t block, const Flow& flow) {
     if (isStartUpOnly(facts, block)) return;
+    const LogicStates states = logicStates(flow);
     for (std::uint32_t at = 1; at < flow.steps.size(); ++at) {
       const Instruction& assign = *flow.steps[at].instruction;
       const Instruction& scan = *flow.steps[at - 1].instruction;
       if (statementRole(assign) != StatementRole::Assign || !facts.execution().at(assign.id).isReachable) continue;
-      const bool isFirst = at == 1 || endsString(statementRole(*flow.steps[at - 2].instruction));
+      const std::optional<LogicState>& before = states[at - 1];
+      const bool isFirst = before && before->firstCheck == mayBe0 && before->depth == 0;
       const StatementRole role = statementRole(scan);
       const bool isScan = role == StatementRole::AndScan || role == StatementRole::OrScan;
       if (!isFirst || !isScan || !scanJoin(scan).negated) continue;

@@ -20,33 +20,10 @@ bool readsBcd(StatementRole role) {
 const Instruction* makerOfAccu(const Flow& flow, std::uint32_t at) {
   while (at-- > 0) {
     const Instruction& instruction = *flow.steps[at].instruction;
-    switch (statementRole(instruction)) {
-      case StatementRole::Load:
-      case StatementRole::IntegerStep:
-      case StatementRole::IntegerMath: return &instruction;
-      case StatementRole::AndScan:
-      case StatementRole::OrScan:
-      case StatementRole::XorScan:
-      case StatementRole::OrOfAnds:
-      case StatementRole::Open:
-      case StatementRole::Close:
-      case StatementRole::Edge:
-      case StatementRole::Negate:
-      case StatementRole::SetRlo:
-      case StatementRole::ClearRlo:
-      case StatementRole::Save:
-      case StatementRole::Assign:
-      case StatementRole::Latch:
-      case StatementRole::Transfer:
-      case StatementRole::StartTimer:
-      case StatementRole::ResetTimer:
-      case StatementRole::SetCounter:
-      case StatementRole::ResetCounter:
-      case StatementRole::CountUp:
-      case StatementRole::CountDown:
-      case StatementRole::Nothing: break;
-      default: return nullptr;
-    }
+    const StatementRole role = statementRole(instruction);
+    if (role == StatementRole::Load || role == StatementRole::IntegerStep || role == StatementRole::IntegerMath)
+      return &instruction;
+    if (!keepsAccus(role)) return nullptr;
   }
   return nullptr;
 }

@@ -24,28 +24,6 @@ bool isPath(const Flow& flow, std::uint32_t from, std::uint32_t to) {
 
 namespace {
 
-/// Statements that leave both accumulators alone and after which the next one runs.
-bool keepsAccus(StatementRole role) {
-  switch (role) {
-    case StatementRole::AndScan:
-    case StatementRole::OrScan:
-    case StatementRole::XorScan:
-    case StatementRole::OrOfAnds:
-    case StatementRole::Open:
-    case StatementRole::Close:
-    case StatementRole::Edge:
-    case StatementRole::Negate:
-    case StatementRole::SetRlo:
-    case StatementRole::ClearRlo:
-    case StatementRole::Save:
-    case StatementRole::Assign:
-    case StatementRole::Latch:
-    case StatementRole::Transfer:
-    case StatementRole::Nothing: return true;
-    default: return false;
-  }
-}
-
 bool loadsAccu(const Instruction& instruction) {
   return statementRole(instruction) == StatementRole::Load || loadsElement(instruction);
 }
@@ -62,7 +40,7 @@ LoadsBefore loadsBefore(const Flow& flow, std::uint32_t at) {
         return loads;
       }
       loads.accu1 = &instruction;
-    } else if (!keepsAccus(statementRole(instruction)) || instruction.desc->control != Control::None) {
+    } else if (!keepsAccus(statementRole(instruction))) {
       return loads;
     }
   }

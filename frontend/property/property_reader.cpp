@@ -438,8 +438,10 @@ class Parser {
       throw Mistake{addressRule, t.span, fmt::format("'{}' is in no data block of the program", t.text),
                     "add the source of the data block, or correct the address"};
     if (!operand || operand->kind != OperandKind::Direct) {
+      const std::string joined = fmt::format("{}{}", t.text, peek().text);  // of "Q 4.0", as statement lists have it
       throw Mistake{addressRule, t.span, fmt::format("'{}' is no address and no known symbol", t.text),
-                    "give the symbol table with --symbols, or write the address"};
+                    !operand && lookup_(joined) ? fmt::format("write {}, without a blank", joined)
+                                                : "give the symbol table with --symbols, or write the address"};
     }
     if (operand->area == Area::L) {
       throw Mistake{addressRule, t.span,

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "ir/s7200/call_contract.hpp"
 
 namespace rungproof {
@@ -35,7 +37,11 @@ Finding findingOf(const RunTimeError& error, const Simulator& simulator) {
                      ? fmt::format("an empty {} keeps the CPU in RUN; see {} of the manual", blocks, info.manual)
                      : fmt::format("see {} of the manual", info.manual);
   finding.confirmation = Confirmation::Confirmed;
-  if (error.place == nullptr) return finding;
+  if (error.place == nullptr) {
+    const auto main = std::ranges::find(program.pous, PouKind::Main, &Pou::kind);
+    if (main != program.pous.end()) finding.span = {main->span.file, main->span.offset, 0};
+    return finding;
+  }
   finding.span = error.place->span;
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {

@@ -90,6 +90,35 @@ bool comparesForEquality(const Instruction& instruction);
 bool loadsElement(const Instruction& instruction);
 /// JO, JOS, and scans of OV and OS.
 bool asksOverflow(const Instruction& instruction);
+/// Whether it leaves all accumulators alone and the next statement of the text runs behind it.
+constexpr bool keepsAccus(StatementRole role) {
+  switch (role) {
+    case StatementRole::AndScan:
+    case StatementRole::OrScan:
+    case StatementRole::XorScan:
+    case StatementRole::OrOfAnds:
+    case StatementRole::Open:
+    case StatementRole::Close:
+    case StatementRole::Edge:
+    case StatementRole::Negate:
+    case StatementRole::SetRlo:
+    case StatementRole::ClearRlo:
+    case StatementRole::Save:
+    case StatementRole::Assign:
+    case StatementRole::Latch:
+    case StatementRole::Transfer:
+    case StatementRole::StartTimer:
+    case StatementRole::ResetTimer:
+    case StatementRole::FreeTimer:
+    case StatementRole::SetCounter:
+    case StatementRole::ResetCounter:
+    case StatementRole::FreeCounter:
+    case StatementRole::CountUp:
+    case StatementRole::CountDown:
+    case StatementRole::Nothing: return true;
+    default: return false;
+  }
+}
 /// Whether it starts a timer, or moves or sets a counter, when its RLO rises or falls.
 constexpr bool remembersRlo(StatementRole role) {
   return role == StatementRole::StartTimer || role == StatementRole::CountUp || role == StatementRole::CountDown ||

@@ -108,6 +108,17 @@ TEST(PropertyLanguage, AddressesMustExistOnTheCpu) {
   ASSERT_EQ(set.properties.size(), 3U);
 }
 
+/// Statement lists of an S7-300 have "Q 4.0": who writes it so in a property is told how it is written there.
+TEST(PropertyLanguage, ABlankInAnAddressIsNamed) {
+  PropertySet set;
+  std::vector<Finding> findings;
+  readPropertyText(0, "prove a: Q 0.1\nprove b: not M 1.0\nprove c: motor 10\n", 0, lookUp, set, findings, nullptr);
+  ASSERT_EQ(findings.size(), 3U);
+  EXPECT_EQ(findings[0].help, "write Q0.1, without a blank");
+  EXPECT_EQ(findings[1].help, "write M1.0, without a blank");
+  EXPECT_EQ(findings[2].help, "give the symbol table with --symbols, or write the address");
+}
+
 TEST(PropertyLanguage, MistakesSayWhatIsMissing) {
   const auto messageOf = [](std::string_view expression) {
     Reading reading("prove p: " + std::string(expression));

@@ -29,6 +29,7 @@ TEST(MissingBlocks, OfErrorsStopTheCpu) {
     const Output output = simOf(block(1, countUp), event);
     EXPECT_EQ(output.exit, 1) << name << output.text;
     EXPECT_TRUE(output.has("organization block is missing: " + name) && output.has("002:1278")) << output.text;
+    EXPECT_TRUE(output.has("main.awl:1:1") && output.has("1 | ORGANIZATION_BLOCK OB 1")) << output.text;
     EXPECT_TRUE(countOf(block(1, countUp), event).ends_with(",2")) << countOf(block(1, countUp), event);
     const std::string loaded = block(1, countUp) + block(number, "NOP 0");
     EXPECT_EQ(simOf(loaded, event).exit, 0) << name;
