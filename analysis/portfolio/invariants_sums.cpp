@@ -101,10 +101,6 @@ class SumSearch {
     terms.push_back({state->second, extension, isSubtracted});
     return terms.size() <= schedule::sumTerms;
   }
-  static std::uint64_t signExtended(const NodeData& constant, Op extension) {
-    const bool isNegative = extension == Op::Sext && constant.value > Graph::maskOf(constant.width) / 2;
-    return isNegative ? constant.value | ~Graph::maskOf(constant.width) : constant.value;
-  }
   Node extended(Node n, int width, Op extension) {
     return graph_[n].width == width ? n : graph_.make(extension, width, n);
   }
@@ -251,10 +247,10 @@ class SumSearch {
       const NodeData& node = graph_[n];
       if (node.op != Op::Equal && node.op != Op::Slt && node.op != Op::Ult) continue;
       for (const Node child : {node.child[0], node.child[1]}) {
-        if (graph_[child].op == Op::Constant && limits_.size() < schedule::sumLimits)
-          limits_.insert(
-              static_cast<std::int64_t>(signExtended(graph_[child], Op::Sext) << (64 - graph_[child].width)) >>
-              (64 - graph_[child].width));
+        const NodeData& limit = graph_[child];
+        const int above = 64 - limit.width;  // bits
+        if (limit.op == Op::Constant && limits_.size() < schedule::sumLimits)
+          limits_.insert(static_cast<std::int64_t>(limit.value << above) >> above);
       }
     }
   }

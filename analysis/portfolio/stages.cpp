@@ -115,9 +115,11 @@ class Stages {
     mined_ = Technique::Sums;
     blast_->add(asked.theorems);
     blast_->add(asked.guesses);
-    for (const GuideNode& g : asked.guide) blast_->add({g.node});
     for (const Node theorem : asked.theorems) blast_->tell(theorem);
-    for (const GuideNode& g : asked.guide) blast_->guide(g.node, g.isAfter);
+    for (const GuideNode& g : asked.guide) {
+      blast_->add({g.node});
+      blast_->guide(g.node, g.isAfter);
+    }
     std::vector<std::vector<Lit>> guesses;
     for (const Node n : asked.guesses) guesses.push_back({blast_->of(n)[0]});
     MiningOptions mining;
