@@ -129,8 +129,22 @@ void writeFields(const Structure& structure, std::uint64_t byte, std::vector<std
   }
 }
 
+/// Whether zeros are all that a place of this type holds where nothing is said; a structure is not looked into.
+bool isZeroAtFirst(const Type& type) {
+  switch (type.kind) {
+    case TypeKind::Char:
+    case TypeKind::String:
+    case TypeKind::DateAndTime:
+    case TypeKind::Any:
+    case TypeKind::Struct: return false;
+    case TypeKind::Array: return type.element == nullptr || isZeroAtFirst(*type.element);
+    default: return true;
+  }
+}
+
 /// What a place holds where nothing is said; zeros stand there already.
 void writeDefaults(const Type& type, std::uint64_t byte, std::vector<std::uint8_t>& bytes) {
+  if (isZeroAtFirst(type)) return;
   switch (type.kind) {
     case TypeKind::Char: putBytes(bytes, byte, ' ', 1); break;
     case TypeKind::String: putBytes(bytes, byte, type.length, 1); break;
