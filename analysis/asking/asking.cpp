@@ -10,6 +10,7 @@
 #include "ir/check.hpp"
 #include "ir/hazard.hpp"
 #include "ir/s7200/isa.hpp"
+#include "ir/s7300/statement_role.hpp"
 
 namespace rungproof {
 
@@ -145,13 +146,20 @@ void askHazards(Asking& asking, const std::vector<const Rule*>& rules) {
   }
 }
 
-/// Each timer and counter at its first box.
+/// Whether a statement of an S7-300/400 only ends what another one starts.
+bool onlyEnds(StatementRole role) {
+  return role == StatementRole::ResetTimer || role == StatementRole::FreeTimer || role == StatementRole::ResetCounter ||
+         role == StatementRole::FreeCounter;
+}
+
+/// Each timer and counter at its first box, of an S7-300/400 at the first statement that starts or counts it.
 void askBoxes(Asking& asking, const std::vector<const Rule*>& rules) {
   std::set<std::pair<Area, std::uint32_t>> seen;
   for (const Flow& flow : asking.encoding().plan().flows) {
     for (const FlowStep& step : flow.steps) {
       const Instruction& box = *step.instruction;
       if (!isBoxOf(box, Type::Timer) && !isBoxOf(box, Type::Counter)) continue;
+      if (box.operands[0].kind != OperandKind::Direct || onlyEnds(statementRole(box))) continue;
       if (!seen.emplace(box.operands[0].area, box.operands[0].offset).second) continue;
       for (const Rule* rule : rules) {
         if (rule->ask.box == nullptr) continue;

@@ -1,9 +1,12 @@
 // ARI002: a result that can leave its type although neither ENO nor SM1.1 is tested. Candidates are products of two
-// values and sums that only ever grow; the prover decides. Tested by its examples and
-// tests/rules/data_rules_test.cpp.
+// values and sums that only ever grow; the prover decides. On an S7-300/400 products of two values that nothing
+// compares before, and nobody is asked. Tested by its examples, tests/rules/data_rules_test.cpp and
+// tests/rules/step7_data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include "analysis/flow/facts.hpp"
+#include "analysis/flow/statement_paths.hpp"
+#include "analysis/flow/step7_blocks.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -43,8 +46,41 @@ bool growsForEver(const Facts& facts, const Access& target) {
   return true;
 }
 
+/// Whether the statement stores less of a product than there may be.
+bool losesProduct(const Instruction& multiplication, const Instruction& store) {
+  const std::optional<Product> product = productOf(multiplication);
+  if (!product || statementRole(store) != StatementRole::Transfer) return false;
+  return *product == Product::LowHalf || bytes(store.operands[0].width) <= 2;
+}
+
+/// S7-300/400: a product of two values that were loaded, stored at once, when nothing asks OV or OS behind it. Nobody
+/// is asked.
+void checkProductsOfAccus(const Facts& facts, FindingSink& sink) {
+  eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
+    for (std::uint32_t at = 0; at + 1 < flow.steps.size(); ++at) {
+      const Instruction& product = *flow.steps[at].instruction;
+      if (!losesProduct(product, *flow.steps[at + 1].instruction) || !facts.execution().at(product.id).isReachable)
+        continue;
+      const LoadsBefore loads = loadsBefore(flow, at);
+      if (loads.accu1 == nullptr || loads.accu2 == nullptr || asksOverflowBehind(flow, at)) continue;
+      const Operand& first = loads.accu2->operands[0];
+      const Operand& second = loads.accu1->operands[0];
+      if (!first.isMemory() || !second.isMemory() || isComparedBefore(flow, at, first) ||
+          isComparedBefore(flow, at, second))
+        continue;
+      Finding& finding = sink.report(
+          product.span, fmt::format("the product of {} and {} can leave its type, and neither OV nor OS is asked",
+                                    facts.name(first), facts.name(second)));
+      finding.related.push_back({loads.accu2->span, "the first factor"});
+      finding.confirmation = Confirmation::NotNeeded;
+      finding.help = "ask OV behind it, compare the factors with limits before, or use a wider type";
+    }
+  });
+}
+
 void checkAri002(const Facts& facts, FindingSink& sink) {
   if (facts.hasUnreadCode()) return;
+  if (facts.plan().isStep7()) return checkProductsOfAccus(facts, sink);
   for (const InstructionPlace& place :
        facts.placesOf([](const Desc& desc) { return isProduct(desc) || isGrowth(desc); })) {
     const Instruction& instruction = *place.instruction;
@@ -83,14 +119,16 @@ extern constexpr Rule ari002_overflow_unnoticed = {
     .severity = Severity::Warning,
     .needs = Needs::FlowThenSolver,
     .detects =
-        "a product of two variables, or a value that only grows, whose overflow neither ENO nor SM1.1 shows to the "
-        "program",
-    .why = "on overflow the operands stay as they were, so the program goes on with the old value",
-    .manual = "001:4814",
+        "a product of two variables, or on an S7-200 a value that only grows, whose overflow the program never asks "
+        "for: "
+        "by ENO or SM1.1, by OV or OS",
+    .why =
+        "S7-200: on overflow the operands stay as they were, so the program goes on with the old value; S7-300/400: "
+        "what is left in ACCU1 is no product",
+    .manual = "001:4814, 002:1563-1578",
     .bad = "Network 1\nLD SM0.0\nMOVW AIW0, VW0\n*I VW2, VW0\n",
     .good = "Network 1\nLD SM0.0\nMOVW AIW0, VW0\n*I VW2, VW0\nAENO\nNOT\n= M0.0\n",
-    .falsePositives = "values whose range is known from elsewhere: the prover drops them",
-    .dialects = dialect::S7200,
+    .falsePositives = "values whose range is known from elsewhere: on an S7-200 the prover drops them",
     .check = checkAri002,
     .ask = {.in = asked::Builtin, .turn = 30, .cost = 4, .hazards = ari002Hazards},
 };

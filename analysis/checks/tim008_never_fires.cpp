@@ -43,11 +43,10 @@ extern constexpr Rule tim008_never_fires = {
     .needs = Needs::Solver,
     .detects = "a timer or counter whose bit can never become 1, or once 1 never returns to 0",
     .why = "a dead alarm or a dead step looks like a live one in the listing",
-    .manual = "001:6569",
+    .manual = "001:6569, 002:2865-2878",
     .bad = "Network 1\nLD I0.0\nEU\nTON T37, +10\nNetwork 2\nLD T37\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nTON T37, +10\nNetwork 2\nLD T37\n= Q0.0\n",
     .falsePositives = "a timer that is only used through its current value",
-    .dialects = dialect::S7200,
     .ask = {.in = asked::Builtin, .turn = 40, .cost = 3, .wantsYes = true, .box = askTim008},
     .tell = {.advice = "look at the input and the preset"},
 };

@@ -120,6 +120,13 @@ std::optional<std::uint32_t> divisorBits(const Instruction& instruction) {
   return name == "/D" || name == "MOD" ? std::optional(0xFFFFFFFFU) : std::nullopt;
 }
 
+std::optional<Product> productOf(const Instruction& instruction) {
+  if (statementRole(instruction) != StatementRole::IntegerMath) return std::nullopt;
+  const std::string_view name = instruction.desc->stl;
+  if (name == "*I") return Product::Whole;
+  return name == "*D" ? std::optional(Product::LowHalf) : std::nullopt;
+}
+
 bool comparesForEquality(const Instruction& instruction) {
   const std::string_view name = instruction.desc->stl;
   return statementRole(instruction) == StatementRole::Compare && (name.starts_with("==") || name.starts_with("<>"));

@@ -84,6 +84,9 @@ ScanJoin scanJoin(const Instruction& instruction);
 /// The bits of ACCU1 that are all 0 where a division has no quotient: 16 of /I, 32 of /D and MOD, all but the sign of
 /// /R.
 std::optional<std::uint32_t> divisorBits(const Instruction& instruction);
+/// What an integer multiplication leaves in ACCU1: *I all of the product, *D its low half.
+enum class Product : std::uint8_t { Whole, LowHalf };
+std::optional<Product> productOf(const Instruction& instruction);
 /// ==I, <>I, ==D, <>D.
 bool comparesForEquality(const Instruction& instruction);
 /// L and LC of a timer or counter.

@@ -151,6 +151,28 @@ TEST(Builtin, TimerThatIsResetInTheScanInWhichItComesOn) {
   EXPECT_EQ(outcomes(run, firing, "T5 can be reset"), Outcomes{Outcome::Reachable});
 }
 
+/// S5 timers and counters: on-delay behind an input and behind an edge, whose RLO is 1 in one scan of at most 150 ms; a
+/// retentive on-delay and a counter that nothing resets; a counter that counts down too. What only R names is TIM009's.
+TEST(Builtin, TimersAndCountersOfTheOtherFamily) {
+  const ProgramInput input = inputOfSource(
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n"
+      "A I 0.0;\nL S5T#1S;\nSD T 1;\nA I 0.1;\nFP M 0.0;\nL S5T#1S;\nSD T 2;\nA I 0.2;\nL S5T#1S;\nSS T 3;\n"
+      "A I 0.3;\nCU C 1;\nA I 0.4;\nCU C 2;\nA I 0.5;\nCD C 2;\nA I 0.6;\nR T 4;\n"
+      "O T 1;\nO T 2;\nO T 3;\nO T 4;\nO C 1;\nO C 2;\n= Q 0.0;\nEND_ORGANIZATION_BLOCK\n");
+  ProverOptions options = usualOptions(10);
+  options.time.high = 150;
+  options.checks.builtin = true;
+  const ProofRun run = prove(input.program, input.properties, options);
+  const std::map<std::string, Outcome> expected = {
+      {"T1 can come on", Outcome::Reachable},    {"T1 can be reset", Outcome::Reachable},
+      {"T2 can come on", Outcome::Unreachable},  {"T3 can come on", Outcome::Reachable},
+      {"T3 can be reset", Outcome::Unreachable}, {"C1 can come on", Outcome::Reachable},
+      {"C1 can be reset", Outcome::Unreachable}, {"C2 can come on", Outcome::Reachable},
+      {"C2 can be reset", Outcome::Reachable}};
+  for (const auto& [name, outcome] : expected) EXPECT_EQ(outcomes(run, firing, name), Outcomes{outcome}) << name;
+  EXPECT_EQ(outcomes(run, firing, "T4 can come on"), Outcomes());
+}
+
 /// MAIN, a subroutine or an interrupt routine with these networks; MAIN calls or attaches it.
 ProofRun builtinsIn(const std::string& block, const std::string& networks) {
   if (block == "MAIN") return builtins(inputOf("", networks));

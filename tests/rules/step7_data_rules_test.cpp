@@ -23,6 +23,18 @@ TEST(DataRules7, DivisorsAreNotZero) {
        {"made before a label", 0, ob1("L MW 0;\nL MW 4;\nm: /I;\nT MW 2;\nA I 0.0;\nJC m;")}});
 }
 
+TEST(DataRules7, ProductsMayOverflow) {
+  expectFindings("ARI002",
+                 {{"two words", 1, ob1("L MW 0;\nL MW 2;\n*I;\nT MW 4;")},
+                  {"two double words", 1, ob1("L MD 0;\nL MD 4;\n*D;\nT MD 8;")},
+                  {"all of it is stored", 0, ob1("L MW 0;\nL MW 2;\n*I;\nT MD 4;")},
+                  {"a constant", 0, ob1("L MW 0;\nL 3;\n*I;\nT MW 4;")},
+                  {"a sum", 0, ob1("L MW 0;\nL MW 2;\n+I;\nT MW 4;")},
+                  {"OV is asked", 0, ob1("L MW 0;\nL MW 2;\n*I;\nJO a;\nT MW 4;\na: NOP 0;")},
+                  {"compared before", 0, ob1("L MW 0;\nL 100;\n>I;\nJC a;\nL MW 0;\nL MW 2;\n*I;\nT MW 4;\na: NOP 0;")},
+                  {"REAL", 0, ob1("L MD 0;\nL MD 4;\n*R;\nT MD 8;")}});
+}
+
 TEST(DataRules7, ABitFromItsInverseToggles) {
   expectFindings("LOG005",
                  {{"alone", 1, ob1("AN M 0.0;\n= M 0.0;")},
