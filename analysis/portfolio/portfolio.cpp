@@ -6,6 +6,7 @@
 
 #include "analysis/bits/bit_blast.hpp"
 #include "analysis/bits/engine_contract.hpp"
+#include "analysis/portfolio/absorption.hpp"
 #include "analysis/portfolio/local_proof.hpp"
 #include "analysis/portfolio/merging.hpp"
 #include "analysis/portfolio/stages.hpp"
@@ -24,10 +25,17 @@ class Answers {
       : system_(system), options_(options), answers_(system.questions.size()) {}
 
   std::vector<QuestionAnswer> run(const Questions& questions) {
+    find(questions);
+    if (options_.check) checkCertificates();
+    return std::move(answers_);
+  }
+
+ private:
+  void find(const Questions& questions) {
     const Budget budget = options_.budget();
     Questions open;
     for (const std::size_t q : questions) {
-      if (!settleLocally(q, budget)) open.push_back(q);
+      if (!settleLocally(q, budget) && !searchUnabsorbed(q)) open.push_back(q);
     }
     if (!open.empty() && options_.effort != Effort::Surface) {
       const auto begin = Budget::Clock::now();
@@ -40,11 +48,38 @@ class Answers {
         answers_[q] = onGivenSystem(q, std::move(found[q]), merged);
       }
     }
-    if (options_.check) checkCertificates();
-    return std::move(answers_);
+  }
+  /// The whole search without the scans after which the question can no longer be bad, where there are such; takes as
+  /// long as the question may take. Not while all questions are treated at once.
+  bool searchUnabsorbed(std::size_t q) {
+    if (options_.effort < Effort::Apart || !options_.techniques.has(Technique::Absorption)) return false;
+    const std::optional<UnabsorbedSystem> unabsorbed = beforeAbsorption(system_, q);
+    if (!unabsorbed) return false;
+    TechniqueTurn turn(options_.log, Technique::Absorption, 1);
+    PortfolioOptions options = options_;
+    // What leaves nodes open would leave the latches open.
+    options.techniques.leaveOut(Technique::OneScan);
+    options.techniques.leaveOut(Technique::Absorption);
+    Answers inner(unabsorbed->system, options);
+    inner.find({q});
+    answers_[q] = onGivenSystem(std::move(inner.answers_[q]), *unabsorbed);
+    if (answers_[q].answer != Answer::Unknown) turn.settled();
+    return true;
+  }
+  QuestionAnswer onGivenSystem(QuestionAnswer answer, const UnabsorbedSystem& unabsorbed) const {
+    Graph& graph = *system_.graph;
+    if (answer.certificate) {
+      for (Node& n : answer.certificate->invariant) n = graph.make(Op::Or, 1, unabsorbed.latched, n);
+      for (Node& n : answer.certificate->immediate) n = graph.make(Op::Or, 1, unabsorbed.latched, n);
+    }
+    if (answer.trace) {
+      for (const auto& [input, value] : unabsorbed.fixedInputs) {
+        for (std::vector<std::uint64_t>& scan : answer.trace->inputs) scan[input] = value;
+      }
+    }
+    return answer;
   }
 
- private:
   /// Without time nothing is merged.
   MergedSystem merge(const Questions& open, const Budget& budget) const {
     if (!options_.techniques.has(Technique::Merging)) return mergeStates(system_, open, options_.seed, budget.slice(0));

@@ -81,6 +81,8 @@
   ROW(int, cappedWidth, 8, "bits", "of words that are worth it, at least") \
   ROW(std::size_t, cappingConstants, 8, "constants", "the largest ones that a scan has for the word") \
   ROW(double, cappingQuerySeconds, 0.1, "s", "for each query") \
+  /* Absorption */ \
+  ROW(double, absorptionSeconds, 0.05, "s", "to see that a scan that sets a latch is not bad") \
   /* All questions of a stage together */ \
   ROW(int, simulatedScans, 256, "scans", "of 64 random runs") \
   ROW(double, simulationShare, 0.1, "of a stage", "for them") \

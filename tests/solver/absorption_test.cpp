@@ -1,0 +1,211 @@
+// Questions that can be bad only as long as a latch is 0: which latches count, what becomes constant, and that answers
+// are those of the given system, on random systems whose states are all visited.
+#include "analysis/portfolio/absorption.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+#include "analysis/graph/evaluate.hpp"
+#include "analysis/portfolio/portfolio.hpp"
+#include "families.hpp"
+
+namespace rungproof {
+namespace {
+
+using families::Family;
+
+/// Bad where `a` is 1 and `cause` was 0 in this scan and all before it; the state that remembers the cause.
+Node askOnlyAfter(Family& f, Node a, Node cause) {
+  const Node once = f.state("once");
+  const Node now = f.either(once, cause);
+  f.next(once, now);
+  f.ask("a only after the cause", f.both(a, f.no(now)));
+  return once;
+}
+
+TEST(Absorption, AnInputThatSetsTheLatchIsConstant) {
+  Family f;
+  const Node a = f.input("a"), b = f.input("b");
+  const Node seen = f.state("seen");
+  f.next(seen, f.either(seen, f.both(a, b)));
+  const Node once = askOnlyAfter(f, seen, b);
+  const auto u = beforeAbsorption(f.system, 0);
+  ASSERT_TRUE(u);
+  EXPECT_EQ(u->latched, once);
+  EXPECT_EQ(u->fixedInputs, (std::vector<std::pair<std::size_t, std::uint64_t>>{{1, 0}}));
+  EXPECT_EQ(u->system.states[0].next, seen);  // a and b is 0
+  EXPECT_TRUE(u->system.constraints.empty());
+}
+
+TEST(Absorption, AComplementAndAConditionSetItToo) {
+  Family f;
+  const Node a = f.input("a"), b = f.input("b"), c = f.input("c");
+  askOnlyAfter(f, a, f.either(f.no(b), f.both(a, c)));
+  const auto u = beforeAbsorption(f.system, 0);
+  ASSERT_TRUE(u);
+  EXPECT_EQ(u->fixedInputs, (std::vector<std::pair<std::size_t, std::uint64_t>>{{1, 1}}));
+  EXPECT_EQ(u->system.constraints, std::vector<Node>{f.no(f.both(a, c))});
+}
+
+/// One latch wants b to be 0, the other 1: no scan is bad.
+TEST(Absorption, LatchesThatContradictEachOtherLeaveNoRun) {
+  Family f;
+  const Node a = f.input("a"), b = f.input("b"), once = f.state("once b"), never = f.state("once not b");
+  const Node onceNow = f.either(once, b), neverNow = f.either(never, f.no(b));
+  f.next(once, onceNow);
+  f.next(never, neverNow);
+  f.ask("p", f.both(a, f.no(f.choose(f.input("c"), onceNow, f.either(onceNow, neverNow)))));
+  f.ask("q", f.both(f.both(a, f.no(onceNow)), f.no(neverNow)));
+  EXPECT_EQ(answerQuestions(f.system, {})[1].answer, Answer::Proved);
+}
+
+/// What a scan has made of a state is seen in the next one: bad in between is bad.
+TEST(Absorption, AStateThatSetsTheLatchEndsTheRunInTheScanBehind) {
+  Family f;
+  const Node a = f.input("a"), b = f.input("b");
+  const Node before = f.state("before"), count = f.state("count", 4);
+  f.next(before, b);
+  f.next(count, f.counted(count, a, 15));
+  askOnlyAfter(f, f.both(b, f.atLeast(count, 3)), before);
+  const std::vector<QuestionAnswer> answers = answerQuestions(f.system, {});
+  EXPECT_EQ(answers[0].answer, Answer::Violated);
+}
+
+TEST(Absorption, OtherStatesAreNoLatches) {
+  const auto hasLatch = [](auto&& make) {
+    Family f;
+    make(f);
+    return beforeAbsorption(f.system, 0).has_value();
+  };
+  EXPECT_TRUE(hasLatch([](Family& f) { askOnlyAfter(f, f.input("a"), f.input("b")); }));
+  // It starts with 1, or with any value.
+  EXPECT_FALSE(hasLatch([](Family& f) {
+    const Node once = askOnlyAfter(f, f.input("a"), f.input("b"));
+    for (StateVariable& s : f.system.states) s.init = s.node == once ? f.number(1, 1) : s.init;
+  }));
+  EXPECT_FALSE(hasLatch([](Family& f) {
+    askOnlyAfter(f, f.input("a"), f.input("b"));
+    f.system.states[0].init = noNode;
+  }));
+  // It is reset.
+  EXPECT_FALSE(hasLatch([](Family& f) {
+    const Node a = f.input("a"), b = f.input("b"), once = f.state("once"), now = f.either(once, b);
+    f.next(once, f.both(now, f.no(f.input("c"))));
+    f.ask("p", f.both(a, f.no(now)));
+  }));
+  // Bad in the scan that sets it.
+  EXPECT_FALSE(hasLatch([](Family& f) {
+    const Node a = f.input("a"), b = f.input("b"), once = f.state("once");
+    f.next(once, f.either(once, b));
+    f.ask("p", f.both(a, f.no(once)));
+  }));
+}
+
+/// A term over the nodes of width 1, some levels deep.
+Node randomTerm(Family& f, const std::vector<Node>& leaves, int depth, std::mt19937& random) {
+  if (depth == 0) return leaves[random() % leaves.size()];
+  const Node left = randomTerm(f, leaves, depth - 1, random), right = randomTerm(f, leaves, depth - 1, random);
+  switch (random() % 4) {
+    case 0: return f.both(left, right);
+    case 1: return f.either(left, right);
+    case 2: return f.no(left);
+    default: return f.differ(left, right);
+  }
+}
+
+/// Values of the states at the start of a scan as a number, one bit a state.
+std::vector<std::uint64_t> bitsOf(std::uint64_t number, std::size_t count) {
+  std::vector<std::uint64_t> bits;
+  for (std::size_t i = 0; i < count; ++i) bits.push_back(number >> i & 1U);
+  return bits;
+}
+
+struct ScanOf {
+  bool isLegal, isBad;
+  std::uint64_t after;
+};
+
+ScanOf scanOf(const Family& f, Evaluator& value, const std::vector<std::uint64_t>& states,
+              const std::vector<std::uint64_t>& inputs) {
+  for (std::size_t i = 0; i < states.size(); ++i) value.set(f.system.states[i].node, states[i]);
+  for (std::size_t i = 0; i < inputs.size(); ++i) value.set(f.system.inputs[i], inputs[i]);
+  value.run();
+  ScanOf scan{true, value[f.system.questions[0].bad] != 0, 0};
+  for (const Node n : f.system.constraints) scan.isLegal = scan.isLegal && value[n] != 0;
+  for (std::size_t i = 0; i < states.size(); ++i) scan.after |= value[f.system.states[i].next] << i;
+  return scan;
+}
+
+std::vector<Node> rootsOf(const Family& f) {
+  std::vector<Node> roots = f.system.constraints;
+  roots.push_back(f.system.questions[0].bad);
+  roots.insert(roots.end(), f.system.inputs.begin(), f.system.inputs.end());
+  for (const StateVariable& s : f.system.states) roots.insert(roots.end(), {s.node, s.next});
+  return roots;
+}
+
+bool isBadReachable(const Family& f) {
+  Evaluator value(*f.graph, rootsOf(f));
+  std::set<std::uint64_t> seen{0};
+  std::vector<std::uint64_t> open{0};
+  while (!open.empty()) {
+    const std::uint64_t state = open.back();
+    open.pop_back();
+    for (std::uint64_t in = 0; in < 1ULL << f.system.inputs.size(); ++in) {
+      const ScanOf scan = scanOf(f, value, bitsOf(state, f.system.states.size()), bitsOf(in, f.system.inputs.size()));
+      if (!scan.isLegal) continue;
+      if (scan.isBad) return true;
+      if (seen.insert(scan.after).second) open.push_back(scan.after);
+    }
+  }
+  return false;
+}
+
+bool isRunToBad(const Family& f, const WordTrace& trace) {
+  Evaluator value(*f.graph, rootsOf(f));
+  std::vector<std::uint64_t> states = trace.initial;
+  for (std::size_t i = 0; i < trace.inputs.size(); ++i) {
+    const ScanOf scan = scanOf(f, value, states, trace.inputs[i]);
+    if (!scan.isLegal) return false;
+    if (scan.isBad && i + 1 == trace.inputs.size()) return true;
+    states = bitsOf(scan.after, states.size());
+  }
+  return false;
+}
+
+TEST(Absorption, AnswersAreThoseOfTheGivenSystem) {
+  constexpr unsigned seed = 11;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  std::mt19937 random(seed);
+  int proofs = 0, runs = 0;
+  for (int round = 0; round < 400; ++round) {
+    Family f;
+    std::vector<Node> leaves;
+    for (const char* name : {"i", "j", "k"}) leaves.push_back(f.input(name));
+    for (const char* name : {"a", "b", "c", "d"}) leaves.push_back(f.state(name));
+    for (std::size_t s = 3; s < leaves.size(); ++s)
+      f.next(leaves[s], f.both(randomTerm(f, leaves, 2, random), f.either(leaves[s - 1], leaves[s])));
+    if (random() % 3 == 0) f.system.constraints.push_back(f.either(leaves[0], randomTerm(f, leaves, 1, random)));
+    const Node cause = randomTerm(f, leaves, static_cast<int>(random() % 3), random);
+    askOnlyAfter(f, f.both(leaves[5], leaves[6]), cause);
+    PortfolioOptions options;
+    options.seconds = 5;
+    options.techniques.leaveOut(Technique::OneScan);
+    TechniqueLog log;
+    options.log = &log;
+    const QuestionAnswer answer = answerQuestions(f.system, options)[0];
+    ASSERT_EQ(answer.answer, isBadReachable(f) ? Answer::Violated : Answer::Proved) << round;
+    if (answer.answer == Answer::Violated) {
+      ASSERT_TRUE(answer.trace && isRunToBad(f, *answer.trace)) << round;
+    }
+    if (log.uses()[static_cast<std::size_t>(Technique::Absorption)].settled == 0) continue;
+    ++(answer.answer == Answer::Proved ? proofs : runs);
+  }
+  EXPECT_GE(proofs, 60);
+  EXPECT_GE(runs, 20);
+}
+
+}  // namespace
+}  // namespace rungproof
