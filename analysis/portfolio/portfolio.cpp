@@ -7,6 +7,7 @@
 #include "analysis/bits/bit_blast.hpp"
 #include "analysis/bits/engine_contract.hpp"
 #include "analysis/portfolio/absorption.hpp"
+#include "analysis/portfolio/first_scan.hpp"
 #include "analysis/portfolio/local_proof.hpp"
 #include "analysis/portfolio/merging.hpp"
 #include "analysis/portfolio/stages.hpp"
@@ -35,7 +36,7 @@ class Answers {
     const Budget budget = options_.budget();
     Questions open;
     for (const std::size_t q : questions) {
-      if (!settleLocally(q, budget) && !searchUnabsorbed(q)) open.push_back(q);
+      if (!settleLocally(q, budget) && !searchFirstScan(q) && !searchUnabsorbed(q)) open.push_back(q);
     }
     if (!open.empty() && options_.effort != Effort::Surface) {
       const auto begin = Budget::Clock::now();
@@ -49,22 +50,53 @@ class Answers {
       }
     }
   }
-  /// The whole search without the scans after which the question can no longer be bad, where there are such; takes as
-  /// long as the question may take. Not while all questions are treated at once.
+  /// The search in another system that stands for this one as far as the question is concerned.
+  template <class System>
+  void searchIn(const System& other, Technique technique, std::size_t q) {
+    TechniqueTurn turn(options_.log, technique, 1);
+    PortfolioOptions options = options_;
+    // What leaves nodes open would leave open what the two systems have in common.
+    for (const Technique t : {Technique::OneScan, Technique::FirstScan, Technique::Absorption})
+      options.techniques.leaveOut(t);
+    Answers inner(other.system, options);
+    inner.find({q});
+    answers_[q] = onGivenSystem(std::move(inner.answers_[q]), other);
+    if (answers_[q].answer != Answer::Unknown) turn.settled();
+  }
+
+  bool searchFirstScan(std::size_t q) {
+    if (options_.effort == Effort::Surface || !options_.techniques.has(Technique::FirstScan)) return false;
+    const std::optional<FirstScanSystem> first = inFirstScan(system_, q);
+    if (first) searchIn(*first, Technique::FirstScan, q);
+    return first.has_value();
+  }
+  /// Where it has come to, the run begins.
+  QuestionAnswer onGivenSystem(QuestionAnswer answer, const FirstScanSystem& first) const {
+    Graph& graph = *system_.graph;
+    answer.depth = answer.answer == Answer::Violated ? 0 : answer.depth;
+    if (answer.certificate) {
+      std::vector<Node> facts = first.starts;
+      facts.insert(facts.end(), answer.certificate->invariant.begin(), answer.certificate->invariant.end());
+      answer.certificate.emplace();
+      for (const Node n : facts) answer.certificate->invariant.push_back(graph.make(Op::Or, 1, first.isLater, n));
+    }
+    if (answer.trace) {
+      for (std::size_t s = 0; s < system_.states.size(); ++s) {
+        const Node init = system_.states[s].init;
+        if (init != noNode && graph[init].op == Op::Constant) answer.trace->initial[s] = graph[init].value;
+      }
+      answer.trace->inputs.erase(answer.trace->inputs.begin(), answer.trace->inputs.end() - 1);
+    }
+    return answer;
+  }
+
+  /// Without the scans after which the question can no longer be bad, where there are such. Not while all questions are
+  /// treated at once.
   bool searchUnabsorbed(std::size_t q) {
     if (options_.effort < Effort::Apart || !options_.techniques.has(Technique::Absorption)) return false;
     const std::optional<UnabsorbedSystem> unabsorbed = beforeAbsorption(system_, q);
-    if (!unabsorbed) return false;
-    TechniqueTurn turn(options_.log, Technique::Absorption, 1);
-    PortfolioOptions options = options_;
-    // What leaves nodes open would leave the latches open.
-    options.techniques.leaveOut(Technique::OneScan);
-    options.techniques.leaveOut(Technique::Absorption);
-    Answers inner(unabsorbed->system, options);
-    inner.find({q});
-    answers_[q] = onGivenSystem(std::move(inner.answers_[q]), *unabsorbed);
-    if (answers_[q].answer != Answer::Unknown) turn.settled();
-    return true;
+    if (unabsorbed) searchIn(*unabsorbed, Technique::Absorption, q);
+    return unabsorbed.has_value();
   }
   QuestionAnswer onGivenSystem(QuestionAnswer answer, const UnabsorbedSystem& unabsorbed) const {
     Graph& graph = *system_.graph;

@@ -10,6 +10,7 @@ namespace {
 // clang-format off
 constexpr std::array techniques = {
     TechniqueInfo{Technique::OneScan, "one-scan", "proofs that need no more than the surface of one scan"},
+    TechniqueInfo{Technique::FirstScan, "first-scan", "questions that can be bad in the first scan only, of that scan"},
     TechniqueInfo{Technique::Absorption, "absorption", "runs end where the question can no longer be bad: \"A only after B\" without B"},
     TechniqueInfo{Technique::Merging, "merging", "states that are always equal or constant become one"},
     TechniqueInfo{Technique::Simulation, "simulation", "random runs for all questions together"},

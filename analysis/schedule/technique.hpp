@@ -14,6 +14,7 @@ namespace rungproof {
 
 enum class Technique : std::uint8_t {
   OneScan,
+  FirstScan,
   Absorption,
   Merging,
   Simulation,

@@ -5,11 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <random>
-#include <set>
 
-#include "analysis/graph/evaluate.hpp"
 #include "analysis/portfolio/portfolio.hpp"
-#include "families.hpp"
+#include "visited_states.hpp"
 
 namespace rungproof {
 namespace {
@@ -103,78 +101,6 @@ TEST(Absorption, OtherStatesAreNoLatches) {
   }));
 }
 
-/// A term over the nodes of width 1, some levels deep.
-Node randomTerm(Family& f, const std::vector<Node>& leaves, int depth, std::mt19937& random) {
-  if (depth == 0) return leaves[random() % leaves.size()];
-  const Node left = randomTerm(f, leaves, depth - 1, random), right = randomTerm(f, leaves, depth - 1, random);
-  switch (random() % 4) {
-    case 0: return f.both(left, right);
-    case 1: return f.either(left, right);
-    case 2: return f.no(left);
-    default: return f.differ(left, right);
-  }
-}
-
-/// Values of the states at the start of a scan as a number, one bit a state.
-std::vector<std::uint64_t> bitsOf(std::uint64_t number, std::size_t count) {
-  std::vector<std::uint64_t> bits;
-  for (std::size_t i = 0; i < count; ++i) bits.push_back(number >> i & 1U);
-  return bits;
-}
-
-struct ScanOf {
-  bool isLegal, isBad;
-  std::uint64_t after;
-};
-
-ScanOf scanOf(const Family& f, Evaluator& value, const std::vector<std::uint64_t>& states,
-              const std::vector<std::uint64_t>& inputs) {
-  for (std::size_t i = 0; i < states.size(); ++i) value.set(f.system.states[i].node, states[i]);
-  for (std::size_t i = 0; i < inputs.size(); ++i) value.set(f.system.inputs[i], inputs[i]);
-  value.run();
-  ScanOf scan{true, value[f.system.questions[0].bad] != 0, 0};
-  for (const Node n : f.system.constraints) scan.isLegal = scan.isLegal && value[n] != 0;
-  for (std::size_t i = 0; i < states.size(); ++i) scan.after |= value[f.system.states[i].next] << i;
-  return scan;
-}
-
-std::vector<Node> rootsOf(const Family& f) {
-  std::vector<Node> roots = f.system.constraints;
-  roots.push_back(f.system.questions[0].bad);
-  roots.insert(roots.end(), f.system.inputs.begin(), f.system.inputs.end());
-  for (const StateVariable& s : f.system.states) roots.insert(roots.end(), {s.node, s.next});
-  return roots;
-}
-
-bool isBadReachable(const Family& f) {
-  Evaluator value(*f.graph, rootsOf(f));
-  std::set<std::uint64_t> seen{0};
-  std::vector<std::uint64_t> open{0};
-  while (!open.empty()) {
-    const std::uint64_t state = open.back();
-    open.pop_back();
-    for (std::uint64_t in = 0; in < 1ULL << f.system.inputs.size(); ++in) {
-      const ScanOf scan = scanOf(f, value, bitsOf(state, f.system.states.size()), bitsOf(in, f.system.inputs.size()));
-      if (!scan.isLegal) continue;
-      if (scan.isBad) return true;
-      if (seen.insert(scan.after).second) open.push_back(scan.after);
-    }
-  }
-  return false;
-}
-
-bool isRunToBad(const Family& f, const WordTrace& trace) {
-  Evaluator value(*f.graph, rootsOf(f));
-  std::vector<std::uint64_t> states = trace.initial;
-  for (std::size_t i = 0; i < trace.inputs.size(); ++i) {
-    const ScanOf scan = scanOf(f, value, states, trace.inputs[i]);
-    if (!scan.isLegal) return false;
-    if (scan.isBad && i + 1 == trace.inputs.size()) return true;
-    states = bitsOf(scan.after, states.size());
-  }
-  return false;
-}
-
 TEST(Absorption, AnswersAreThoseOfTheGivenSystem) {
   constexpr unsigned seed = 11;
   SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -186,9 +112,10 @@ TEST(Absorption, AnswersAreThoseOfTheGivenSystem) {
     for (const char* name : {"i", "j", "k"}) leaves.push_back(f.input(name));
     for (const char* name : {"a", "b", "c", "d"}) leaves.push_back(f.state(name));
     for (std::size_t s = 3; s < leaves.size(); ++s)
-      f.next(leaves[s], f.both(randomTerm(f, leaves, 2, random), f.either(leaves[s - 1], leaves[s])));
-    if (random() % 3 == 0) f.system.constraints.push_back(f.either(leaves[0], randomTerm(f, leaves, 1, random)));
-    const Node cause = randomTerm(f, leaves, static_cast<int>(random() % 3), random);
+      f.next(leaves[s], f.both(families::randomTerm(f, leaves, 2, random), f.either(leaves[s - 1], leaves[s])));
+    if (random() % 3 == 0)
+      f.system.constraints.push_back(f.either(leaves[0], families::randomTerm(f, leaves, 1, random)));
+    const Node cause = families::randomTerm(f, leaves, static_cast<int>(random() % 3), random);
     askOnlyAfter(f, f.both(leaves[5], leaves[6]), cause);
     PortfolioOptions options;
     options.seconds = 5;
@@ -196,9 +123,9 @@ TEST(Absorption, AnswersAreThoseOfTheGivenSystem) {
     TechniqueLog log;
     options.log = &log;
     const QuestionAnswer answer = answerQuestions(f.system, options)[0];
-    ASSERT_EQ(answer.answer, isBadReachable(f) ? Answer::Violated : Answer::Proved) << round;
+    ASSERT_EQ(answer.answer, families::isBadReachable(f) ? Answer::Violated : Answer::Proved) << round;
     if (answer.answer == Answer::Violated) {
-      ASSERT_TRUE(answer.trace && isRunToBad(f, *answer.trace)) << round;
+      ASSERT_TRUE(answer.trace && families::isRunToBad(f, *answer.trace)) << round;
     }
     if (log.uses()[static_cast<std::size_t>(Technique::Absorption)].settled == 0) continue;
     ++(answer.answer == Answer::Proved ? proofs : runs);
