@@ -93,7 +93,7 @@ class Answers {
   /// Without the scans after which the question can no longer be bad, where there are such. Not while all questions are
   /// treated at once.
   bool searchUnabsorbed(std::size_t q) {
-    if (options_.effort < Effort::Apart || !options_.techniques.has(Technique::Absorption)) return false;
+    if (options_.effort < Effort::Mined || !options_.techniques.has(Technique::Absorption)) return false;
     const std::optional<UnabsorbedSystem> unabsorbed = beforeAbsorption(system_, q);
     if (unabsorbed) searchIn(*unabsorbed, Technique::Absorption, q);
     return unabsorbed.has_value();
@@ -138,7 +138,7 @@ class Answers {
   /// The portfolio on the system as it is; where that leaves questions open, what is left of the time on the capped
   /// one.
   std::vector<QuestionAnswer> search(const TransitionSystem& system, const Questions& asked) const {
-    if (options_.effort == Effort::Together || !options_.check || !options_.techniques.has(Technique::WordCaps) ||
+    if (options_.effort < Effort::Apart || !options_.check || !options_.techniques.has(Technique::WordCaps) ||
         std::min(options_.seconds, options_.left()) < schedule::leastForBoth)
       return runStages(system, asked, options_);
     PortfolioOptions first = options_;

@@ -18,9 +18,10 @@
 
 namespace rungproof {
 
-/// Surface: only what needs no earlier scan. Together: what treats all questions at once, within milliseconds. Apart:
-/// groups of questions, then each, after the others have been tried. Full: all.
-enum class Effort : std::uint8_t { Surface, Together, Apart, Full };
+/// Surface: only what needs no earlier scan. Together: what treats all questions at once, within milliseconds. Mined:
+/// groups of questions under invariants and bounds that are soon found. Apart: the same under all of them, then each
+/// question, after the others have been tried. Full: all.
+enum class Effort : std::uint8_t { Surface, Together, Mined, Apart, Full };
 
 struct PortfolioOptions {
   Effort effort = Effort::Full;

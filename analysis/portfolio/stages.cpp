@@ -48,23 +48,25 @@ class Stages {
 
  private:
   void answer() {
-    if (options_.effort != Effort::Apart) answerTogether();
+    if (options_.effort == Effort::Together || options_.effort == Effort::Full) answerTogether();
     std::vector<Questions> clusters;
     if (options_.effort != Effort::Together) clusters = clustersOf(system_, open_);
+    const bool isMinedOnly = options_.effort == Effort::Mined;
     for (const Questions& cluster : clusters) {
       open_ = cluster;
       begin({});
       beginWithCandidates();
       if (options_.check) mine();
       searchTogether(schedule::shortInduction, false);
-      if (!open_.empty() && options_.check) runBeforeBounds();
+      if (!open_.empty() && options_.check && !isMinedOnly) runBeforeBounds();
       if (options_.check) searchUnderBounds();
+      if (isMinedOnly) continue;
       const double each = isQuick() ? std::min(options_.seconds, schedule::quickRaceSeconds) : options_.seconds;
       if (!open_.empty()) raceApart(options_.techniques, each);
     }
   }
   /// Whether each open question has its own time later.
-  bool isQuick() const { return options_.effort == Effort::Apart; }
+  bool isQuick() const { return options_.effort < Effort::Full; }
 
   /// Bounds prove and show nothing: what waits for a timer and is wrong is often found by a moment's random runs.
   void runBeforeBounds() {
@@ -87,6 +89,7 @@ class Stages {
     areBoundsUnfinished_ = false;
     for (const BoundScope scope : {BoundScope::Few, BoundScope::Stops, BoundScope::All, BoundScope::Pending}) {
       if (open_.empty() || areBoundsUnfinished_) return;
+      if (scope == BoundScope::All && options_.effort == Effort::Mined) return;
       if (scope == BoundScope::All) raceBriefly(options_.techniques, schedule::raceBeforeBounds);
       if (open_.empty()) return;
       if (mineDifferences(scope)) searchTogether(schedule::shortInduction, false);
@@ -339,12 +342,14 @@ class Stages {
   bool mineDifferences(BoundScope scope) {
     if (!options_.techniques.has(Technique::Bounds)) return false;
     const TechniqueTurn turn(options_.log, Technique::Bounds, open_.size());
-    const MinedBounds mined = mineBounds(
-        system_, *blast_, invariants_, options_.seed, scope,
-        budget(std::min({options_.seconds * schedule::boundShare,
-                         isQuick() && scope >= BoundScope::All ? schedule::quickBounds : schedule::mostMining,
-                         options_.left() * schedule::miningShare})),
-        tried_);
+    const MinedBounds mined =
+        mineBounds(system_, *blast_, invariants_, options_.seed, scope,
+                   budget(std::min({options_.seconds * schedule::boundShare,
+                                    options_.effort == Effort::Mined        ? schedule::firstBounds
+                                    : isQuick() && scope >= BoundScope::All ? schedule::quickBounds
+                                                                            : schedule::mostMining,
+                                    options_.left() * schedule::miningShare})),
+                   tried_);
     tried_ = mined.templates;
     areBoundsUnfinished_ = mined.isUnfinished;
     if (mined.clauses.empty()) return false;

@@ -335,6 +335,12 @@ void QuestionSearch::answerQuickly(Clock::time_point deadline) {
   answerOpen(openQuestions([](std::size_t) { return true; }), together);
   if (!arePremisesLeft) searchFewPremises();
   explore(deadline, schedule::firstExploring);
+  PortfolioOptions mined = portfolio(std::min(options_.timeout, schedule::quickSeconds), deadline, &cancel);
+  mined.effort = Effort::Mined;
+  const auto waits = [&](std::size_t q) {
+    return q < goals_.size() && options_.bound == 0 && exact_->dependsOnTime(exact_->variablesOf(q));
+  };
+  if (options_.techniques.has(Technique::QuickAccelerated)) answerOpen(openQuestions(waits), mined);
   const Budget shallow = Budget::ofThread(schedule::shallowSeconds, Budget(deadline, &cancel));
   std::vector<std::size_t> open;
   for (std::size_t q = 0; q < quick_.size(); ++q) {
