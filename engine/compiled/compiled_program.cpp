@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <new>
+#include <span>
 #include <utility>
 
 #include "engine/compiled/reduce.hpp"
@@ -56,7 +57,7 @@ CompiledProgram::CompiledProgram(Code code, const std::vector<bool>& isNeeded, s
       machineCode_(std::move(machineCode)),
       memory_((machineCode_->layout.size + 7) / 8),
       listedAt_(code_.sites.size()),
-      keptCounts_(code_.sites.size()) {
+      errorCounts_(code_.sites.size()) {
   new (memory_.data()) Workspace;
   for (std::size_t i = 0; i < code_.steps.size(); ++i) {
     const CodeOp op = code_.steps[i].op;
@@ -88,10 +89,6 @@ void CompiledProgram::findWritten(const std::vector<bool>& isNeeded, std::size_t
     if (s.op == CodeOp::StoreMemory) {
       for (std::size_t k = 0; k < s.width / 8U; ++k) isWritten(s.area, s.value + k);
     }
-    if (s.op == CodeOp::StoreBit || s.op == CodeOp::StoreSlots) {
-      const SlotByte& slots = code_.slots[s.value / 8];
-      isWritten(slots.area, slots.byte);
-    }
   }
   for (std::size_t a = 0; a < areaCount; ++a) {
     if (isUsed[a]) usedAreas_.push_back(static_cast<Area>(a));
@@ -106,8 +103,8 @@ void CompiledProgram::findWritten(const std::vector<bool>& isNeeded, std::size_t
   for (std::size_t a = 0; a < areaCount; ++a) {
     const Area area = static_cast<Area>(a);
     runsOf(bytes[a], [&](std::uint32_t first, std::uint32_t count) {
-      writtenBytes_.push_back({area, first, count});
-      kept += count;
+      (area == Area::L ? writtenLocals_ : writtenBytes_).push_back({area, first, count});
+      if (area != Area::L) kept += count;
     });
   }
   keptBytes_.resize(kept);
@@ -120,8 +117,6 @@ void CompiledProgram::findWritten(const std::vector<bool>& isNeeded, std::size_t
 }
 
 void CompiledProgram::keep(const Concrete::Store& store) {
-  if (std::exchange(workspace().hasCounted, 0) != 0)
-    std::memcpy(keptCounts_.data(), errorCounts(), keptCounts_.size() * sizeof(std::uint64_t));
   std::uint8_t* to = keptBytes_.data();
   for (const Written& w : writtenBytes_) {
     std::memcpy(to, bytesOf(store, w.area, code_.hasTerminals) + w.first, w.count);
@@ -135,7 +130,6 @@ void CompiledProgram::keep(const Concrete::Store& store) {
 }
 
 void CompiledProgram::takeBack(Concrete::Store& store) {
-  std::memcpy(errorCounts(), keptCounts_.data(), keptCounts_.size() * sizeof(std::uint64_t));
   const std::uint8_t* from = keptBytes_.data();
   for (const Written& w : writtenBytes_) {
     std::memcpy(bytesOf(store, w.area, code_.hasTerminals) + w.first, from, w.count);
@@ -150,39 +144,40 @@ void CompiledProgram::takeBack(Concrete::Store& store) {
 
 /// Local memory holds nothing between scans.
 void CompiledProgram::clearLocal(Concrete::Store& store) const {
-  for (const Written& w : writtenBytes_) {
-    if (w.area == Area::L) std::memset(store.area(Area::L).data() + w.first, 0, w.count);
+  for (const Written& w : writtenLocals_) std::memset(store.area(Area::L).data() + w.first, 0, w.count);
+}
+
+/// The first time of an error is told by the reference engine. Nothing of a new list is known.
+void CompiledProgram::learnErrors(const RunTimeErrors& errors) {
+  if (std::exchange(clearings_, errors.clearings()) != errors.clearings()) {
+    std::ranges::fill(errorCounts_, 0);
+    std::fill_n(news(), code_.sites.size(), std::uint8_t{1});
+    listed_ = 0;
+  }
+  for (; listed_ < errors.list().size(); ++listed_) {
+    const RunTimeError& error = errors.list()[listed_];
+    for (std::size_t site = 0; site < code_.sites.size(); ++site) {
+      if (error.hazard != code_.sites[site].hazard || error.place != code_.sites[site].place) continue;
+      listedAt_[site] = listed_;
+      news()[site] = 0;
+    }
   }
 }
 
-/// Nothing of a new list is known.
-void CompiledProgram::startErrors(const RunTimeErrors& errors) {
-  if (std::exchange(clearings_, errors.clearings()) == errors.clearings()) return;
-  workspace().hasCounted = 1;  // other counts than those that are kept
-  std::fill_n(errorCounts(), code_.sites.size(), 0);
-  std::fill_n(news(), code_.sites.size(), std::uint8_t{1});
-}
-
-/// Whether all errors of this scan have happened before; the first time is told by the reference engine.
-bool CompiledProgram::areListed(const RunTimeErrors& errors) {
-  const std::vector<RunTimeError>& list = errors.list();
-  for (std::size_t site = 0; site < code_.sites.size(); ++site) {
-    if (news()[site] == 0 || errorCounts()[site] == keptCounts_[site]) continue;
-    const auto found = std::ranges::find_if(list, [&](const RunTimeError& e) {
-      return e.hazard == code_.sites[site].hazard && e.place == code_.sites[site].place;
-    });
-    if (found == list.end()) return false;
-    listedAt_[site] = static_cast<std::size_t>(found - list.begin());
-    news()[site] = 0;
+/// The errors of a scan have happened, or they have not.
+void CompiledProgram::addErrors(bool areOfScan) {
+  std::uint32_t* const times = numbers(machineCode_->layout.errors);
+  const std::size_t count = std::exchange(workspace().happened, 0);
+  for (const std::uint32_t site : std::span(numbers(machineCode_->layout.happened), count)) {
+    if (areOfScan) errorCounts_[site] += times[site];
+    times[site] = 0;
   }
-  return true;
 }
 
 void CompiledProgram::tellErrors(RunTimeErrors& errors) {
-  startErrors(errors);
-  workspace().hasCounted = 1;
-  for (std::size_t site = 0; site < code_.sites.size(); ++site) {
-    if (const std::uint64_t times = std::exchange(errorCounts()[site], 0); times != 0)
+  learnErrors(errors);
+  for (std::size_t site = 0; site < errorCounts_.size(); ++site) {
+    if (const std::uint64_t times = std::exchange(errorCounts_[site], 0); times != 0)
       errors.repeat(listedAt_[site], times);
   }
 }
@@ -190,17 +185,18 @@ void CompiledProgram::tellErrors(RunTimeErrors& errors) {
 std::optional<std::uint64_t> CompiledProgram::run(Concrete::Store& store, std::uint64_t ticks100,
                                                   std::uint64_t mostTime, const RunTimeErrors& errors) {
   if (code_.expectsAlwaysOn && (store.area(Area::SM)[0] & 1U) == 0) return std::nullopt;
-  startErrors(errors);
+  learnErrors(errors);
   if (canLeave_) keep(store);
   Workspace& w = workspace();
   for (const Area area : usedAreas_) w.area[static_cast<std::size_t>(area)] = bytesOf(store, area, code_.hasTerminals);
   w.registers = store.registers().data();
   w.ticks100 = ticks100;
   w.mostTime = mostTime;
-  const bool isDone = machineCode_->run(w) && (w.hasErrors == 0 || areListed(errors));
+  const bool isDone = machineCode_->run(w);
+  if (w.happened != 0) addErrors(isDone);
   if (!isDone) takeBack(store);
-  if (!isDone) return std::nullopt;
   clearLocal(store);
+  if (!isDone) return std::nullopt;
   return code_.countsTime ? w.position : 0;
 }
 

@@ -38,7 +38,7 @@ class CompiledProgram {
   void tellErrors(RunTimeErrors& errors);
 
  private:
-  /// Bytes of an area, or registers, that the code writes itself.
+  /// Bytes of an area without slots, or registers, that the code writes.
   struct Written {
     Area area;
     std::uint32_t first, count;
@@ -50,20 +50,21 @@ class CompiledProgram {
   void takeBack(Concrete::Store& store);
   void clearLocal(Concrete::Store& store) const;
   Workspace& workspace() { return *reinterpret_cast<Workspace*>(memory_.data()); }
-  std::uint64_t* errorCounts() { return memory_.data() + machineCode_->layout.errors / 8; }
+  std::uint32_t* numbers(std::size_t at) { return reinterpret_cast<std::uint32_t*>(memory_.data()) + at / 4; }
   std::uint8_t* news() { return reinterpret_cast<std::uint8_t*>(memory_.data()) + machineCode_->layout.news; }
-  void startErrors(const RunTimeErrors& errors);
-  bool areListed(const RunTimeErrors& errors);
+  void learnErrors(const RunTimeErrors& errors);
+  void addErrors(bool areOfScan);
 
   Code code_;
   std::unique_ptr<MachineCode> machineCode_;
   std::vector<std::uint64_t> memory_;  ///< the workspace
   bool canLeave_ = false;
   std::vector<std::size_t> listedAt_;            ///< by error site that is no news: where it stands among the errors
-  std::vector<std::uint64_t> keptCounts_;        ///< of errors, before the scan
+  std::vector<std::uint64_t> errorCounts_;       ///< by error site: how often it has happened and is not yet told
   std::uint64_t clearings_ = ~std::uint64_t{0};  ///< of the list to which the counts belong
+  std::size_t listed_ = 0;                       ///< errors of that list that are no news
   std::vector<Area> usedAreas_;
-  std::vector<Written> writtenBytes_;
+  std::vector<Written> writtenBytes_, writtenLocals_;
   std::vector<Written> writtenRegisters_;
   std::vector<std::uint8_t> keptBytes_;
   std::vector<std::uint32_t> keptRegisters_;

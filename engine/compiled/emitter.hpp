@@ -15,11 +15,11 @@ struct Workspace {
   std::array<std::uint8_t*, areaCount> area{};
   std::uint32_t* registers = nullptr;
   std::uint64_t ticks100 = 0;
-  std::uint64_t mostTime = 0;    ///< 10 ns; a longer program is one for the reference engine
-  std::uint64_t position = 0;    ///< out: time that the program took (Code::countsTime)
-  std::uint64_t isLeft = 0;      ///< out, straight code: not 0, the scan is one for the reference engine
-  std::uint64_t hasErrors = 0;   ///< out: an error has happened that is new (Layout::news)
-  std::uint64_t hasCounted = 1;  ///< out: not 0, an error has happened, new or not
+  std::uint64_t mostTime = 0;  ///< 10 ns; a longer program is one for the reference engine
+  std::uint64_t position = 0;  ///< out: time that the program took (Code::countsTime)
+  std::uint64_t isLeft = 0;    ///< out, straight code: not 0, the scan is one for the reference engine
+  std::uint64_t happened = 0;  ///< out: error sites at which something has happened, numbers at Layout::happened
+  std::uint64_t hasNews = 0;   ///< out: not 0, one of these is new
   std::uint64_t allOnes = ~std::uint64_t{0};
 };
 
@@ -27,15 +27,17 @@ struct Workspace {
 struct Layout {
   std::size_t slots = 0;  ///< the bits of Code::slots
   std::size_t states = 0;
-  std::size_t errors = 0;  ///< by error site 8 bytes: how often it has happened, added up over the scans
-  std::size_t news = 0;    ///< by error site a byte, 1: it has not yet been told
+  std::size_t errors = 0;    ///< by error site 4 bytes: how often it has happened, 0 before the program
+  std::size_t happened = 0;  ///< 4 bytes for the number of an error site each
+  std::size_t news = 0;      ///< by error site a byte, 1: a scan in which it happens is one for the reference engine
   std::size_t size = 0;
 };
 
 class MachineCode {
  public:
   virtual ~MachineCode() = default;
-  /// False: the scan is one for the reference engine, and what was written is to be taken back.
+  /// False: the scan is one for the reference engine, and what was written is to be taken back; bits that have slots
+  /// are as before.
   virtual bool run(Workspace& workspace) const = 0;
   Layout layout;
 };

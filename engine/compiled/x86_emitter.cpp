@@ -25,16 +25,16 @@ Layout X86Emitter::layoutOf(const Code& code) {
   layout.slots = alignedTo8(sizeof(Workspace));
   layout.states = layout.slots + 8 * code.slots.size();
   layout.errors = layout.states + 8 * std::size_t{code.states};
-  layout.news = layout.errors + 8 * code.sites.size();
-  layout.size = layout.news + alignedTo8(code.sites.size());
+  layout.happened = layout.errors + 4 * code.sites.size();
+  layout.news = layout.happened + 4 * code.sites.size();
+  layout.size = alignedTo8(layout.news + code.sites.size());
   return layout;
 }
 
 std::vector<X86Emitter::Gp> X86Emitter::valueRegisters(const Code& code) {
-  std::vector<Gp> list = {x86::rax, x86::rcx, x86::rdx, x86::rbx, x86::rsi,
-                          x86::rdi, x86::r8,  x86::r9,  x86::r10, x86::r11};
+  std::vector<Gp> list = {x86::rax, x86::rcx, x86::rdx, x86::rbx, x86::rsi, x86::rdi,
+                          x86::r8,  x86::r9,  x86::r10, x86::r11, x86::r15};
   if (!code.countsTime) list.push_back(x86::r12);
-  if (code.sites.empty()) list.push_back(x86::r15);
   return list;
 }
 
@@ -128,9 +128,8 @@ void X86Emitter::prologue() {
   a_.mov(x86::r14, at(offsetof(Workspace, registers)));
   a_.mov(x86::r13, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(heldArea_)));
   if (code_.countsTime) a_.xor_(x86::r12.r32(), x86::r12.r32());
-  if (!code_.sites.empty()) a_.xor_(x86::r15.r32(), x86::r15.r32());
   a_.mov(at(offsetof(Workspace, isLeft)), 0);
-  a_.mov(at(offsetof(Workspace, hasErrors)), 0);
+  if (!code_.sites.empty()) a_.mov(at(offsetof(Workspace, hasNews)), 0);
   loadSlots();
 }
 
@@ -144,11 +143,14 @@ void X86Emitter::epilogue() {
     a_.cmp(at(offsetof(Workspace, isLeft), 1), 0);
     a_.jne(leave_);
   }
+  if (!happened_.empty()) {
+    a_.cmp(at(offsetof(Workspace, hasNews)), 0);
+    a_.jne(leave_);
+  }
   saveSlots();
   const Label end = a_.newLabel();
   a_.mov(x86::eax, 1);
   a_.bind(end);
-  if (!code_.sites.empty()) a_.mov(at(offsetof(Workspace, hasErrors)), x86::r15);
   a_.add(x86::rsp, 8);
   for (std::size_t i = savedRegisters.size(); i-- > 0;) a_.pop(savedRegisters[i]);
   a_.ret();
@@ -291,27 +293,48 @@ void X86Emitter::control(const Step& s) {
   }
 }
 
-/// Who runs the code looks at those that are new.
 void X86Emitter::count(const Step& s) {
   const Happened& here = happened_.emplace_back(Happened{s.value, a_.newLabel(), a_.newLabel()});
   a_.j(condition(s.a), here.from);
   a_.bind(here.back);
 }
 
-/// The flags stay as they are.
+/// The flags stay as they are. A site at which nothing has happened in this scan is listed.
 void X86Emitter::countErrors() {
+  if (happened_.empty()) return;
+  const Label count = a_.newLabel(), isFirst = a_.newLabel(), more = a_.newLabel();
+  const x86::Gp site = x86::rax, times = x86::rcx, isNew = x86::rdx;
   for (const Happened& here : happened_) {
     a_.bind(here.from);
-    a_.push(x86::rax);
-    a_.mov(x86::rax, at(layout_.errors + 8 * here.site));
-    a_.lea(x86::rax, x86::ptr(x86::rax, 1));
-    a_.mov(at(layout_.errors + 8 * here.site), x86::rax);
-    a_.movzx(x86::eax, at(layout_.news + here.site, 1));
-    a_.lea(x86::r15, x86::ptr(x86::r15, x86::rax));
-    a_.mov(at(offsetof(Workspace, hasCounted), 1), 1);
-    a_.pop(x86::rax);
+    a_.push(site);
+    a_.mov(site.r32(), here.site);
+    a_.call(count);
+    a_.pop(site);
     a_.jmp(here.back);
   }
+  const Mem timesOfSite = x86::ptr(workspace_, site, 2, static_cast<std::int32_t>(layout_.errors), 4);
+  a_.bind(count);
+  a_.push(times);
+  a_.mov(times.r32(), timesOfSite);
+  a_.jecxz(times, isFirst);
+  a_.bind(more);
+  a_.lea(times, x86::ptr(times, 1));
+  a_.mov(timesOfSite, times.r32());
+  a_.pop(times);
+  a_.ret();
+  a_.bind(isFirst);
+  a_.mov(times, at(offsetof(Workspace, happened)));
+  a_.mov(x86::ptr(workspace_, times, 2, static_cast<std::int32_t>(layout_.happened), 4), site.r32());
+  a_.lea(times, x86::ptr(times, 1));
+  a_.mov(at(offsetof(Workspace, happened)), times);
+  a_.push(isNew);
+  a_.movzx(isNew.r32(), x86::ptr(workspace_, site, 0, static_cast<std::int32_t>(layout_.news), 1));
+  a_.mov(times, at(offsetof(Workspace, hasNews)));
+  a_.lea(times, x86::ptr(times, isNew));
+  a_.mov(at(offsetof(Workspace, hasNews)), times);
+  a_.pop(isNew);
+  a_.mov(times.r32(), 0);
+  a_.jmp(more);
 }
 
 }  // namespace rungproof::compiled

@@ -1,7 +1,6 @@
 // Emitter for x86-64: goes through the code once and gives every needed step its machine instructions. A bit in memory
 // is an operand of the instruction that uses it, as long as nothing was stored there since. Fixed registers: rbp the
-// workspace, r14 the machine's registers, r13 the area that is used most, r12 the time, r15 whether an error has
-// happened that nobody has been told.
+// workspace, r14 the machine's registers, r13 the area that is used most, r12 the time.
 #pragma once
 
 #include <asmjit/x86.h>
