@@ -1,6 +1,8 @@
 // Counting, one pulse at a time, so that an interrupt routine can act between two pulses.
 #include "engine/high_speed_counters.hpp"
 
+#include <utility>
+
 #include "ir/s7200/hsc_inputs.hpp"
 
 namespace rungproof {
@@ -36,7 +38,7 @@ int quadratureStep(bool a0, bool b0, bool a1, bool b1) {
 }  // namespace
 
 void HighSpeedCounters::reset() {
-  lines_ = {};
+  seen_ = {};
   hasSeen_ = false;
 }
 
@@ -44,19 +46,25 @@ void HighSpeedCounters::beginScan(Concrete::Store& store, std::uint32_t lengthMs
   scanMs_ = lengthMs == 0 ? 1 : lengthMs;
   passed_ = 0;
   const auto& inputs = store.terminals(Reg::PhysicalInput);
-  if (hasSeen_ && seen_ == inputs && areIdle(store)) return;
-  seen_ = inputs;
+  const Inputs before = std::exchange(seen_, inputs);
   hasSeen_ = true;
-  for (std::uint32_t counter = 0; counter < count; ++counter) takeInputs(store, counter, raise);
+  if (areIdle(store)) return;
+  for (std::uint32_t counter = 0; counter < count; ++counter)
+    takeInputs(store, counter, linesOf(before, counter), raise);
 }
 
-void HighSpeedCounters::takeInputs(Concrete::Store& store, std::uint32_t counter, const RaiseEvent& raise) {
-  const Lines before = lines_[counter];
-  Lines& now = lines_[counter];
-  for (std::size_t k = 0; k < now.level.size(); ++k) {
+HighSpeedCounters::Lines HighSpeedCounters::linesOf(const Inputs& inputs, std::uint32_t counter) const {
+  Lines lines;
+  for (std::size_t k = 0; k < lines.level.size(); ++k) {
     const int input = hscInputs(target_, static_cast<int>(counter))[k];
-    now.level[k] = input >= 0 && store.get(Reg::PhysicalInput, static_cast<std::uint32_t>(input)) != 0;
+    lines.level[k] = input >= 0 && (inputs[static_cast<std::size_t>(input) / 8] >> (input % 8) & 1) != 0;
   }
+  return lines;
+}
+
+void HighSpeedCounters::takeInputs(Concrete::Store& store, std::uint32_t counter, const Lines& before,
+                                   const RaiseEvent& raise) {
+  const Lines now = linesOf(seen_, counter);
   const int mode = modeOf(store, counter);
   if (mode < 0 || store.get(Reg::HscEnabled, counter) == 0) return;
   const bool starts = !hasStart(mode) || now.level[3] != setupBit(store, counter, 1);
@@ -105,7 +113,7 @@ void HighSpeedCounters::passMillisecond(Concrete::Store& store, const PulseCount
 bool HighSpeedCounters::mayCount(const Concrete::Store& store, std::uint32_t counter) const {
   const int mode = modeOf(store, counter);
   if (mode < 0 || store.get(Reg::HscEnabled, counter) == 0) return false;
-  const Lines& lines = lines_[counter];
+  const Lines lines = linesOf(seen_, counter);
   if (hasStart(mode) && lines.level[3] == setupBit(store, counter, 1)) return false;  // frozen (001:4184)
   return !(hasReset(mode) && lines.level[2] != setupBit(store, counter, 0));          // held at 0
 }

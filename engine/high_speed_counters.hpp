@@ -48,7 +48,9 @@ class HighSpeedCounters {
   struct Lines {
     std::array<bool, 4> level{};  ///< clock, direction or second clock, reset, start
   };
-  void takeInputs(Concrete::Store& store, std::uint32_t counter, const RaiseEvent& raise);
+  using Inputs = Concrete::Store::Terminals;
+  Lines linesOf(const Inputs& inputs, std::uint32_t counter) const;
+  void takeInputs(Concrete::Store& store, std::uint32_t counter, const Lines& before, const RaiseEvent& raise);
   void feed(Concrete::Store& store, std::uint32_t counter, std::uint32_t up, std::uint32_t down,
             const RaiseEvent& raise);
   bool mayCount(const Concrete::Store& store, std::uint32_t counter) const;
@@ -58,8 +60,7 @@ class HighSpeedCounters {
 
   Target target_;
   std::array<std::array<std::uint32_t, 2>, count> pulses_{};
-  std::array<Lines, count> lines_{};
-  Concrete::Store::Terminals seen_{};  ///< inputs that lines_ show
+  Inputs seen_{};  ///< what the lines show
   bool hasSeen_ = false;
   std::uint32_t scanMs_ = 1;
   std::uint32_t passed_ = 0;

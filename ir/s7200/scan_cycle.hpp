@@ -65,34 +65,48 @@ void advanceClocks(Machine<D>& m, typename D::Bits elapsed) {
   wrapAt(Reg::PhaseMinute, 60000);
 }
 
-/// The clock bits SM0.4 (1 min) and SM0.5 (1 s) as the program sees them from now on (001:14054-14055).
+/// Bits of SM0 by their numbers.
 template <class D>
-void showClocks(Machine<D>& m) {
+struct StatusBit {
+  std::uint32_t bit;
+  typename D::Bool isOn;
+};
+template <class D, std::size_t count>
+void showStatus(Machine<D>& m, const StatusBit<D> (&bits)[count]) {
+  if constexpr (std::same_as<typename D::Bool, bool>) {  // the same, at once
+    std::vector<std::uint8_t>& bytes = m.store.area(Area::SM);
+    if (!m.guard || bytes.empty()) return;
+    unsigned status = bytes[0];
+    for (const StatusBit<D>& s : bits) status = (status & ~(1U << s.bit)) | (s.isOn ? 1U << s.bit : 0U);
+    bytes[0] = static_cast<std::uint8_t>(status);
+  } else {
+    for (const StatusBit<D>& s : bits) m.setSm(0, s.bit, s.isOn);
+  }
+}
+
+/// SM0.1 and SM0.4 to SM0.6 as the scan that begins shows them; the manual refreshes SM0 at the end of the scan before
+/// (001:14045), which no program can tell from this, and properties and traces find in SM0 what the program saw. SM0.4
+/// (1 min) and SM0.5 (1 s) are clocks (001:14054-14055). Where SM0.6 starts is Choice::ScanClockStart.
+template <class D>
+void beginStatus(Machine<D>& m) {
   const auto half = [&](Reg phase, std::uint64_t period) {
     const int width = regInfo(phase).width;
     return m.d.ule(m.number(period / 2, width), m.get(phase), width);
   };
-  m.setSm(0, 4, half(Reg::PhaseMinute, 60000));
-  m.setSm(0, 5, half(Reg::PhaseSecond, 1000));
-}
-
-/// SM0.1 and SM0.4 to SM0.6 as the scan that begins shows them; the manual refreshes SM0 at the end of the scan before
-/// (001:14045), which no program can tell from this, and properties and traces find in SM0 what the program saw. Where
-/// SM0.6 starts is Choice::ScanClockStart.
-template <class D>
-void beginStatus(Machine<D>& m) {
   const auto first = m.getBit(Reg::FirstScan);
-  showClocks(m);
-  m.setSm(0, 1, first);
   const auto startsOn = m.reads({Choice::ScanClockStart, "on"});
-  m.setSm(0, 6, m.d.select(first, startsOn, m.d.lxor(m.sm(0, 6), m.getBit(Reg::Running))));
+  const auto other = m.d.lxor(m.sm(0, 6), m.getBit(Reg::Running));
+  showStatus<D>(m, {{4, half(Reg::PhaseMinute, 60000)},
+                    {5, half(Reg::PhaseSecond, 1000)},
+                    {1, first},
+                    {6, m.d.select(first, startsOn, other)}});
 }
 
 /// SM0.2 and SM0.3 are on in the first scan only, and there as the surroundings say (001:14052-14053).
 template <class D>
 void endFirstScanBits(Machine<D>& m) {
   const auto first = m.getBit(Reg::FirstScan);
-  for (std::uint32_t bit = 2; bit <= 3; ++bit) m.setSm(0, bit, m.d.land(first, m.sm(0, bit)));
+  showStatus<D>(m, {{2, m.d.land(first, m.sm(0, 2))}, {3, m.d.land(first, m.sm(0, 3))}});
 }
 
 /// Part 1 of the scan: the inputs, and the ticks of the 10 ms and 100 ms time bases.
