@@ -53,8 +53,10 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
       if (at == boxesEnd_) endBoxes();
       if (w.heads.contains(at)) {
         beginLoop(markAt(w, at), at);
+        hooks_.timeAt.reset();
       } else if (const auto mark = w.marks.find(at); mark != w.marks.end()) {
         meet(mark->second);
+        hooks_.timeAt.reset();
       }
       if (!isReached_) continue;
       m_.current = flow.steps[at].instruction;
@@ -63,7 +65,10 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
       hooks_.run(m_, flow.steps[at], [&] { static_cast<Derived&>(*this).execute(w, at); });
     }
     if (end == boxesEnd_) endBoxes();
-    if (const auto mark = w.marks.find(end); mark != w.marks.end()) meet(mark->second);
+    if (const auto mark = w.marks.find(end); mark != w.marks.end()) {
+      meet(mark->second);
+      hooks_.timeAt.reset();
+    }
     path_.resize(path_.size() - 2);
   }
 
@@ -72,9 +77,11 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
     if (m_.d.truth(condition) == false) return;
     if (m_.d.truth(condition) == true) return body();
     const std::uint32_t behind = m_.d.code.marks++;
+    const auto timeAt = std::exchange(hooks_.timeAt, std::nullopt);
     branchWhere(CodeOp::BranchUnless, condition, behind);
     body();
     meet(behind);
+    hooks_.timeAt = timeAt;
   }
 
   template <class Body>
@@ -91,6 +98,7 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
       m_.d.add({.op = CodeOp::CheckTime});
     }
     branchWhere(CodeOp::BranchIf, condition, markAt(w, target));
+    hooks_.timeAt.reset();
   }
 
  private:
@@ -144,11 +152,13 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
     m_.enoAfter(m_.d.constant(false));  // of those that go past it; the first box sets that of the others
     hooks_.skip(boxes);
     boxes_ = m_.d.beginPart(runs);
+    timeBeforeBoxes_ = std::exchange(hooks_.timeAt, std::nullopt);
     boxesEnd_ = end;
   }
   void endBoxes() {
     m_.d.endPart(*std::exchange(boxes_, std::nullopt));
     hooks_.goOn();
+    hooks_.timeAt = timeBeforeBoxes_;
     boxesEnd_ = noPartner;
   }
 
@@ -260,6 +270,7 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
   std::vector<std::uint32_t> path_;                                  ///< calls on the way
   std::optional<compiled::Recorder::Part> boxes_;                    ///< that is being recorded
   std::uint32_t boxesEnd_ = noPartner;                               ///< index of the instruction behind it
+  typename Hooks::TimeAt timeBeforeBoxes_;
   bool isReached_ = true;  ///< whether anything leads to what is recorded next
 };
 

@@ -85,7 +85,6 @@ bool Recorder::StepEqual::operator()(const Step& x, const Step& y) const {
 
 ValueId Recorder::add(const Step& step) {
   code.steps.push_back(step);
-  if (isBranch(step.op) || step.op == CodeOp::Mark || step.op == CodeOp::CheckTime) blockAt_ = code.steps.size();
   const bool isStore = step.op == CodeOp::StoreMemory || step.op == CodeOp::StoreAt;
   if (step.op == CodeOp::Mark || (isStore && place_ && place_->area == step.area)) place_.reset();
   return static_cast<ValueId>(code.steps.size() - 1);

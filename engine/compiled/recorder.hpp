@@ -127,8 +127,6 @@ class Recorder {
   /// The value of that step, perhaps one that is there already.
   ValueId make(const Step& step);
   const Step& at(ValueId id) const { return code.steps[id]; }
-  /// Where the block began that is being recorded, or where the time was looked at.
-  std::size_t blockAt() const { return blockAt_; }
   /// Values are not looked up from here on: a block begins that several ways lead to.
   void forgetValues() {
     known_.clear();
@@ -184,7 +182,6 @@ class Recorder {
   Bits loadPlace(Area area, Bits address, int width);
   void savePlace(Area area, Bits address, int width, Bits value);
 
-  std::size_t blockAt_ = 0;
   std::optional<Step> place_;       ///< last access to a computed address `a` of `area` where `b` stands
   bool hasReadOnlyBlocks_ = false;  ///< of which an address may name one
   std::unordered_map<Step, ValueId, StepHash, StepEqual> known_;

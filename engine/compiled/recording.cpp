@@ -16,10 +16,13 @@ constexpr std::size_t mostOfOne = 1000;
 constexpr std::size_t mostOfAll = 2'000'000;
 
 struct RecordingHooks {
+  /// The step that has added time and through which all and only those runs have gone that are where the code is.
+  using TimeAt = std::optional<std::size_t>;
+
   Recorder& d;
   const InstructionTimes& times;
   bool isInPart = false;
-  std::size_t timeAt = 0;  ///< last step that adds time
+  TimeAt timeAt{};
 
   void before(Machine<Recorder>& m, const FlowStep& step) {
     const std::array<std::uint32_t, 2>& time = times[step.id];
@@ -75,14 +78,12 @@ struct RecordingHooks {
   }
 
  private:
-  /// To what this block has added.
   void addTime(std::uint64_t time) {
     if (!d.code.countsTime || time == 0) return;
-    if (timeAt >= d.blockAt() && timeAt < d.code.steps.size() && d.code.steps[timeAt].op == CodeOp::AddTime) {
-      d.code.steps[timeAt].value += time;
-      return;
-    }
-    timeAt = d.add({.op = CodeOp::AddTime, .value = time});
+    if (timeAt)
+      d.code.steps[*timeAt].value += time;
+    else
+      timeAt = d.add({.op = CodeOp::AddTime, .value = time});
   }
 };
 
