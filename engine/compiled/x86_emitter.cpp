@@ -32,14 +32,14 @@ Layout X86Emitter::layoutOf(const Code& code) {
 }
 
 std::vector<X86Emitter::Gp> X86Emitter::valueRegisters(const Code& code) {
-  std::vector<Gp> list = {x86::rax, x86::rcx, x86::rdx, x86::rbx, x86::rsi, x86::rdi,
-                          x86::r8,  x86::r9,  x86::r10, x86::r11, x86::r15};
+  std::vector<Gp> list = {x86::rax, x86::rcx, x86::rdx, x86::rbx, x86::rsi,
+                          x86::rdi, x86::r8,  x86::r9,  x86::r10, x86::r11};
   if (!code.countsTime) list.push_back(x86::r12);
   return list;
 }
 
-/// The one that most steps load from or store to.
-Area X86Emitter::busiestArea(const Code& code, const std::vector<bool>& isNeeded) {
+/// The two that most steps load from or store to.
+std::array<Area, 2> X86Emitter::busiestAreas(const Code& code, const std::vector<bool>& isNeeded) {
   std::array<std::size_t, areaCount> uses{};
   for (std::size_t i = 0; i < code.steps.size(); ++i) {
     const Step& s = code.steps[i];
@@ -47,14 +47,16 @@ Area X86Emitter::busiestArea(const Code& code, const std::vector<bool>& isNeeded
         s.op == CodeOp::LoadMemory || s.op == CodeOp::StoreMemory || s.op == CodeOp::LoadAt || s.op == CodeOp::StoreAt;
     if (isNeeded[i] && isAccess) ++uses[static_cast<std::size_t>(s.area)];
   }
-  return static_cast<Area>(std::ranges::max_element(uses) - uses.begin());
+  const auto first = std::ranges::max_element(uses);
+  *first = 0;
+  return {static_cast<Area>(first - uses.begin()), static_cast<Area>(std::ranges::max_element(uses) - uses.begin())};
 }
 
 X86Emitter::X86Emitter(const Code& code, const std::vector<bool>& isNeeded, CodeHolder& holder)
     : code_(code),
       isNeeded_(isNeeded),
       layout_(layoutOf(code)),
-      heldArea_(busiestArea(code, isNeeded)),
+      heldAreas_(busiestAreas(code, isNeeded)),
       hasMovbe_(CpuInfo::host().features().x86().hasMOVBE()),
       emittedAt_(emittedAt()),
       a_(&holder),
@@ -126,7 +128,8 @@ void X86Emitter::prologue() {
   a_.sub(x86::rsp, 8);  // calls find the stack aligned
   a_.mov(workspace_, x86::rdi);
   a_.mov(x86::r14, at(offsetof(Workspace, registers)));
-  a_.mov(x86::r13, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(heldArea_)));
+  a_.mov(x86::r13, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(heldAreas_[0])));
+  a_.mov(x86::r15, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(heldAreas_[1])));
   if (code_.countsTime) a_.xor_(x86::r12.r32(), x86::r12.r32());
   a_.mov(at(offsetof(Workspace, isLeft)), 0);
   if (!code_.sites.empty()) a_.mov(at(offsetof(Workspace, hasNews)), 0);
@@ -143,7 +146,7 @@ void X86Emitter::epilogue() {
     a_.cmp(at(offsetof(Workspace, isLeft), 1), 0);
     a_.jne(leave_);
   }
-  if (!happened_.empty()) {
+  if (!code_.sites.empty()) {
     a_.cmp(at(offsetof(Workspace, hasNews)), 0);
     a_.jne(leave_);
   }
@@ -164,7 +167,8 @@ X86Emitter::Mem X86Emitter::memory(Area area, std::uint64_t byte, std::uint32_t 
   return x86::ptr(baseOf(area), static_cast<std::int32_t>(byte), size);
 }
 X86Emitter::Gp X86Emitter::baseOf(Area area) {
-  if (area == heldArea_) return x86::r13;
+  if (area == heldAreas_[0]) return x86::r13;
+  if (area == heldAreas_[1]) return x86::r15;
   const Gp base = values_.fresh();
   a_.mov(base, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(area)));
   return base;
@@ -279,8 +283,8 @@ void X86Emitter::control(const Step& s) {
     }
     case CodeOp::AddTime: a_.add(x86::r12, s.value); break;
     case CodeOp::AddTimeIf: {
-      const Gp more = values_.take(s.a);
-      a_.movsx(more.r32(), more.r8());
+      const Gp more = values_.fresh();
+      a_.movsx(more.r32(), values_.use(s.a).r8());
       a_.and_(more.r32(), s.value);
       a_.add(x86::r12, more);
       break;
@@ -291,50 +295,6 @@ void X86Emitter::control(const Step& s) {
       break;
     default: CHECK(false, "no branch");
   }
-}
-
-void X86Emitter::count(const Step& s) {
-  const Happened& here = happened_.emplace_back(Happened{s.value, a_.newLabel(), a_.newLabel()});
-  a_.j(condition(s.a), here.from);
-  a_.bind(here.back);
-}
-
-/// The flags stay as they are. A site at which nothing has happened in this scan is listed.
-void X86Emitter::countErrors() {
-  if (happened_.empty()) return;
-  const Label count = a_.newLabel(), isFirst = a_.newLabel(), more = a_.newLabel();
-  const x86::Gp site = x86::rax, times = x86::rcx, isNew = x86::rdx;
-  for (const Happened& here : happened_) {
-    a_.bind(here.from);
-    a_.push(site);
-    a_.mov(site.r32(), here.site);
-    a_.call(count);
-    a_.pop(site);
-    a_.jmp(here.back);
-  }
-  const Mem timesOfSite = x86::ptr(workspace_, site, 2, static_cast<std::int32_t>(layout_.errors), 4);
-  a_.bind(count);
-  a_.push(times);
-  a_.mov(times.r32(), timesOfSite);
-  a_.jecxz(times, isFirst);
-  a_.bind(more);
-  a_.lea(times, x86::ptr(times, 1));
-  a_.mov(timesOfSite, times.r32());
-  a_.pop(times);
-  a_.ret();
-  a_.bind(isFirst);
-  a_.mov(times, at(offsetof(Workspace, happened)));
-  a_.mov(x86::ptr(workspace_, times, 2, static_cast<std::int32_t>(layout_.happened), 4), site.r32());
-  a_.lea(times, x86::ptr(times, 1));
-  a_.mov(at(offsetof(Workspace, happened)), times);
-  a_.push(isNew);
-  a_.movzx(isNew.r32(), x86::ptr(workspace_, site, 0, static_cast<std::int32_t>(layout_.news), 1));
-  a_.mov(times, at(offsetof(Workspace, hasNews)));
-  a_.lea(times, x86::ptr(times, isNew));
-  a_.mov(at(offsetof(Workspace, hasNews)), times);
-  a_.pop(isNew);
-  a_.mov(times.r32(), 0);
-  a_.jmp(more);
 }
 
 }  // namespace rungproof::compiled

@@ -1,6 +1,6 @@
 // Emitter for x86-64: goes through the code once and gives every needed step its machine instructions. A bit in memory
 // is an operand of the instruction that uses it, as long as nothing was stored there since. Fixed registers: rbp the
-// workspace, r14 the machine's registers, r13 the area that is used most, r12 the time.
+// workspace, r14 the machine's registers, r13 and r15 the areas that are used most, r12 the time.
 #pragma once
 
 #include <asmjit/x86.h>
@@ -26,7 +26,7 @@ class X86Emitter {
   // x86_emitter.cpp
   static Layout layoutOf(const Code& code);
   static std::vector<Gp> valueRegisters(const Code& code);
-  static Area busiestArea(const Code& code, const std::vector<bool>& isNeeded);
+  static std::array<Area, 2> busiestAreas(const Code& code, const std::vector<bool>& isNeeded);
   void findStores();
   void prologue();
   void epilogue();
@@ -34,8 +34,6 @@ class X86Emitter {
   void store(const Step& step);
   void storeWord(const Step& step);
   void control(const Step& step);
-  void count(const Step& step);
-  void countErrors();
   Mem memory(Area area, std::uint64_t byte, std::uint32_t size);
   std::int32_t slotAt(std::uint64_t number) const { return static_cast<std::int32_t>(layout_.slots + number); }
   std::int32_t stateAt(std::uint64_t number) const { return static_cast<std::int32_t>(layout_.states + 8 * number); }
@@ -82,14 +80,31 @@ class X86Emitter {
     flagsHold_ = Cond::kNZ;
   }
 
+  // x86_errors.cpp
+  /// What a bit tells of a sum.
+  enum class Told : std::uint8_t { Overflow, Fits, Zero, Negative };
+  struct Seldom {
+    std::vector<ValueId> steps;                            ///< that are made together with the sum
+    std::optional<std::uint64_t> site;                     ///< error that is an overflow
+    ValueId result = 0;                                    ///< the sum, or where it overflows its first operand
+    std::vector<std::pair<std::uint64_t, Told>> stores{};  ///< to slots
+  };
+  std::optional<Seldom> seldomOf(ValueId sum, const std::vector<ValueId>& uses) const;
+  void sumThatFits(ValueId id, const Step& step);
+  void sumsThatOverflow();
+  void count(const Step& step);
+  void countAt(std::uint64_t site);
+  void countErrors();
+
   const Code& code_;
   const std::vector<bool>& isNeeded_;
   const Layout layout_;
-  const Area heldArea_;  ///< its address stands in r13
+  const std::array<Area, 2> heldAreas_;  ///< their addresses stand in r13 and r15
   const bool hasMovbe_;
-  std::vector<ValueId> overflowOf_;       ///< by sum: whether it overflows, 0: nobody asks
-  std::vector<bool> isFlagOnly_;          ///< by overflow of a sum: the processor's flags are enough
-  const std::vector<ValueId> emittedAt_;  ///< by step: itself, or the step that needs the comparison
+  std::vector<ValueId> overflowOf_;             ///< by sum: whether it overflows, 0: nobody asks
+  std::unordered_map<ValueId, Seldom> seldom_;  ///< by sum: if all who ask for it are made with it
+  std::vector<bool> isFlagOnly_;                ///< by overflow of a sum: the processor's flags are enough
+  const std::vector<ValueId> emittedAt_;        ///< by step: itself, or the step that needs the comparison
   asmjit::x86::Assembler a_;
   const Gp workspace_ = asmjit::x86::rbp;
   X86Registers values_;
@@ -103,6 +118,13 @@ class X86Emitter {
     asmjit::Label from, back;
   };
   std::vector<Happened> happened_;
+  struct Overflowed {
+    ValueId sum;
+    Gp reg, second;  ///< where the sum stands, and the second operand if it is no constant
+    asmjit::Label from, back;
+  };
+  std::vector<Overflowed> overflowed_;
+  asmjit::Label count_;              ///< counts the error of which the site stands in eax
   std::vector<ValueId> standsTo_;    ///< by step that loads or stores a bit: up to where its slot keeps the value
   std::vector<ValueId> markBehind_;  ///< by branch: the next Mark
 };

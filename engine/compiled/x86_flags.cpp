@@ -33,7 +33,13 @@ std::vector<ValueId> X86Emitter::emittedAt() {
   for (ValueId i = 0; i < count; ++i) {
     const Step& s = code_.steps[i];
     if (s.op == CodeOp::Mark) mark = i;
-    if (overflowOf_[i] != 0) at[overflowOf_[i]] = i;
+    if (overflowOf_[i] != 0) {
+      at[overflowOf_[i]] = i;
+      if (auto seldom = seldomOf(i, uses)) {
+        for (const ValueId step : seldom->steps) at[step] = i;
+        seldom_.emplace(i, std::move(*seldom));
+      }
+    }
     const bool wantsFlags = s.op == CodeOp::Select || (s.op == CodeOp::Leave && !code_.isStraight) ||
                             s.op == CodeOp::Count || s.op == CodeOp::BranchIf || s.op == CodeOp::BranchUnless;
     if (isNeeded_[i] && wantsFlags && uses[s.a] == 1 && isComparison(code_.steps[s.a].op) && s.a >= mark &&
@@ -118,6 +124,7 @@ void X86Emitter::addTo(Gp reg, const Step& s) {
 
 /// Together with whether it overflows, where somebody asks.
 void X86Emitter::sum(ValueId id, const Step& s) {
+  if (seldom_.contains(id)) return sumThatFits(id, s);
   const Gp reg = values_.take(s.a);
   addTo(reg, s);
   if (const ValueId overflow = overflowOf_[id]; overflow != 0) {
