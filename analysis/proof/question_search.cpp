@@ -373,7 +373,8 @@ QuestionSearch::Found QuestionSearch::race(std::size_t question) {
   std::optional<ExplorationThread> exploring;
   if (exploration_ && question < goals_.size() && !exploration_->found(question)) {
     turn.emplace(&log_, Technique::Exploration, 1);
-    exploring.emplace(*exploration_, question, deadline_, [&] { cancelExact = cancelFast = true; });
+    exploring.emplace(*exploration_, question, deadline_, schedule::exploringPause,
+                      [&] { cancelExact = cancelFast = true; });
   }
   QuestionAnswer answer = answerQuestions(exact, portfolio(std::max(left(), 0.0), deadline_, &cancelExact))[0];
   if (answer.answer != Answer::Unknown) cancelFast = true;

@@ -177,14 +177,22 @@ bool Exploration::search(Clock::time_point deadline, const std::atomic<bool>& ca
 const std::optional<Witness>& Exploration::found(std::size_t goal) const { return impl_->found(goal); }
 
 ExplorationThread::ExplorationThread(Exploration& exploration, std::size_t goal,
-                                     Exploration::Clock::time_point deadline, std::function<void()> found)
-    : exploration_(exploration), goal_(goal), thread_([this, deadline, found = std::move(found)] {
+                                     Exploration::Clock::time_point deadline, double pause, std::function<void()> found)
+    : exploration_(exploration), goal_(goal), thread_([this, deadline, pause, found = std::move(found)] {
+        {
+          std::unique_lock lock(mutex_);
+          ended_.wait_for(lock, std::chrono::duration<double>(pause), [this] { return cancel_.load(); });
+        }
         exploration_.search(deadline, cancel_, goal_);
         if (exploration_.found(goal_)) found();
       }) {}
 
 bool ExplorationThread::end() {
-  cancel_ = true;
+  {
+    const std::lock_guard lock(mutex_);
+    cancel_ = true;
+  }
+  ended_.notify_all();
   if (thread_.joinable()) thread_.join();
   return exploration_.found(goal_).has_value();
 }

@@ -6,8 +6,10 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -44,8 +46,9 @@ class Exploration {
 /// An exploration beside other searches for the same goal.
 class ExplorationThread {
  public:
-  /// `found` is called in the thread when the goal has been shown.
-  ExplorationThread(Exploration& exploration, std::size_t goal, Exploration::Clock::time_point deadline,
+  /// Begins after so many seconds, which others have the processor alone. `found` is called in the thread when the goal
+  /// has been shown.
+  ExplorationThread(Exploration& exploration, std::size_t goal, Exploration::Clock::time_point deadline, double pause,
                     std::function<void()> found);
   ~ExplorationThread() { end(); }
   ExplorationThread(const ExplorationThread&) = delete;
@@ -57,6 +60,8 @@ class ExplorationThread {
   Exploration& exploration_;
   const std::size_t goal_;
   std::atomic<bool> cancel_ = false;
+  std::mutex mutex_;
+  std::condition_variable ended_;  ///< before it has begun
   std::thread thread_;
 };
 
