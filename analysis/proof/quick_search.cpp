@@ -32,8 +32,9 @@ void QuestionSearch::answerQuickly(Clock::time_point deadline) {
   explore(deadline, schedule::firstExploring);
   PortfolioOptions mined = portfolio(std::min(options_.timeout, schedule::quickSeconds), deadline, &cancel);
   mined.effort = Effort::Mined;
+  // Premises are met more often than not: nothing is mined for them.
   const auto waits = [&](std::size_t q) {
-    return q < goals_.size() && options_.bound == 0 && exact_->dependsOnTime(exact_->variablesOf(q));
+    return isDeclared(q) && options_.bound == 0 && exact_->dependsOnTime(exact_->variablesOf(q));
   };
   if (options_.techniques.has(Technique::QuickAccelerated)) answerOpen(openQuestions(waits), mined);
   const Budget shallow = Budget::ofThread(schedule::shallowSeconds, Budget(deadline, &cancel));
