@@ -43,7 +43,7 @@
   ROW(std::uint64_t, leastInstructions, 50, "instructions", "that a scan counts for, so that empty programs come to an end") \
   ROW(double, ownRunsShare, 0.05, "of a question", "for own runs when the solvers' run was not confirmed") \
   ROW(double, lastOwnRunsShare, 0.3, "of a question", "the same when nothing else is left to be tried") \
-  ROW(double, firstExploring, 0.01, "s", "for all questions before they are looked at one by one: what waits for timers and is wrong is often found there") \
+  ROW(double, firstExploring, 0.02, "s", "for all questions before they are looked at one by one: what waits for timers and is wrong is often found there") \
   ROW(double, exploringPause, 0.25, "s", "after these, before a question's own race is joined: the engines settle most until then") \
   ROW(double, exploringSeconds, 0.15, "s", "for all questions that are open after the quick looks") \
   ROW(std::size_t, explorationConstants, 200, "constants", "of the program that inputs are set to") \

@@ -27,7 +27,7 @@ std::ostream& operator<<(std::ostream& out, const Pair& pair) { return out << pa
 constexpr Pair pairs[] = {
     {"guard_door", 2.4},
     {"guard_locking", 1.5},
-    {"press_two_hand", 1.5},
+    {"press_two_hand", 2.2},
     {"reversing", 1.5},
     {"press_two_hand_faulty", 1.5},
     {"pump_alternation", 1.5},
