@@ -33,12 +33,12 @@ constexpr Pair pairs[] = {
     {"pump_alternation", 1.5},
     {"two_speed", 1.5},
     {"reversing_faulty", 1.5},
-    {"wound_rotor", 7},
+    {"wound_rotor", 9},
     {"star_delta", 3},
-    {"notaus", 3.6},
-    {"muting_limit", 3.6},
+    {"notaus", 4.5},
+    {"muting_limit", 4.5},
     {"hoist", 4},
-    {"star_delta_dead_time", 8},
+    {"star_delta_dead_time", 10},
 };
 
 std::vector<std::string> linesOf(const char* folder, const std::string& name) {
