@@ -119,12 +119,11 @@ extern constexpr Rule ari002_overflow_unnoticed = {
     .severity = Severity::Warning,
     .needs = Needs::FlowThenSolver,
     .detects =
-        "a product of two variables, or on an S7-200 a value that only grows, whose overflow the program never asks "
-        "for: "
-        "by ENO or SM1.1, by OV or OS",
+        "a product of two variables, or on an S7-200 a value that only grows, whose overflow the program asks for "
+        "neither by ENO or SM1.1 nor by OV or OS",
     .why =
         "S7-200: on overflow the operands stay as they were, so the program goes on with the old value; S7-300/400: "
-        "what is left in ACCU1 is no product",
+        "what is stored is no longer the product",
     .manual = "001:4814, 002:1563-1578",
     .bad = "Network 1\nLD SM0.0\nMOVW AIW0, VW0\n*I VW2, VW0\n",
     .good = "Network 1\nLD SM0.0\nMOVW AIW0, VW0\n*I VW2, VW0\nAENO\nNOT\n= M0.0\n",

@@ -89,7 +89,7 @@ class Stages {
     areBoundsUnfinished_ = false;
     for (const BoundScope scope : {BoundScope::Few, BoundScope::Stops, BoundScope::All, BoundScope::Pending}) {
       if (open_.empty() || areBoundsUnfinished_) return;
-      if (scope == BoundScope::All && options_.effort == Effort::Mined) return;
+      if (scope != BoundScope::Few && options_.effort == Effort::Mined) return;
       if (scope == BoundScope::All) raceBriefly(options_.techniques, schedule::raceBeforeBounds);
       if (open_.empty()) return;
       if (mineDifferences(scope)) searchTogether(schedule::shortInduction, false);

@@ -369,23 +369,18 @@ QuestionSearch::Found QuestionSearch::race(std::size_t question) {
       cancelExact = true;
     });
   }
-  std::optional<TechniqueTurn> turn;
   std::optional<ExplorationThread> exploring;
   if (exploration_ && question < goals_.size() && !exploration_->found(question)) {
-    turn.emplace(&log_, Technique::Exploration, 1);
-    exploring.emplace(*exploration_, question, deadline_, schedule::exploringPause,
-                      [&] { cancelExact = cancelFast = true; });
+    const double pause = std::min(schedule::exploringPause, left() * schedule::exploringPauseShare);
+    exploring.emplace(*exploration_, question, deadline_, pause, [&] { cancelExact = cancelFast = true; });
   }
   QuestionAnswer answer = answerQuestions(exact, portfolio(std::max(left(), 0.0), deadline_, &cancelExact))[0];
   if (answer.answer != Answer::Unknown) cancelFast = true;
   if (fast.joinable()) fast.join();
   const bool isExplored = exploring && exploring->end() && !witness;
   takeExplored();
-  if (isExplored) {
-    witness = exploration_->found(question);
-    turn->settled();
-  }
-  turn.reset();
+  if (isExplored) witness = exploration_->found(question);
+  if (exploring) log_.add(Technique::Exploration, {1, isExplored ? 1U : 0U, exploring->seconds()});
   if (fastAnswer && !witness && question >= goals_.size()) {
     witness = replayed(*relaxed, *accelerated, question, *fastAnswer->trace);
     if (!witness && answer.answer == Answer::Unknown && mayGoOn()) answer = ask(exact, left(), deadline_)[0];

@@ -45,6 +45,7 @@
   ROW(double, lastOwnRunsShare, 0.3, "of a question", "the same when nothing else is left to be tried") \
   ROW(double, firstExploring, 0.02, "s", "for all questions before they are looked at one by one: what waits for timers and is wrong is often found there") \
   ROW(double, exploringPause, 0.25, "s", "after these, before a question's own race is joined: the engines settle most until then") \
+  ROW(double, exploringPauseShare, 0.2, "of what is left", "the same, at most") \
   ROW(double, exploringSeconds, 0.15, "s", "for all questions that are open after the quick looks") \
   ROW(std::size_t, explorationConstants, 200, "constants", "of the program that inputs are set to") \
   ROW(std::size_t, exploredStates, 3000, "states", "kept with their memory") \

@@ -183,7 +183,9 @@ ExplorationThread::ExplorationThread(Exploration& exploration, std::size_t goal,
           std::unique_lock lock(mutex_);
           ended_.wait_for(lock, std::chrono::duration<double>(pause), [this] { return cancel_.load(); });
         }
+        const auto begin = Exploration::Clock::now();
         exploration_.search(deadline, cancel_, goal_);
+        seconds_ = std::chrono::duration<double>(Exploration::Clock::now() - begin).count();
         if (exploration_.found(goal_)) found();
       }) {}
 

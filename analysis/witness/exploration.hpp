@@ -55,6 +55,8 @@ class ExplorationThread {
   ExplorationThread& operator=(const ExplorationThread&) = delete;
   /// Stops it. Whether the goal has been shown.
   bool end();
+  /// What the search took, after its end.
+  double seconds() const { return seconds_; }
 
  private:
   Exploration& exploration_;
@@ -62,6 +64,7 @@ class ExplorationThread {
   std::atomic<bool> cancel_ = false;
   std::mutex mutex_;
   std::condition_variable ended_;  ///< before it has begun
+  double seconds_ = 0;
   std::thread thread_;
 };
 

@@ -270,8 +270,8 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
   std::vector<std::uint32_t> path_;                                  ///< calls on the way
   std::optional<compiled::Recorder::Part> boxes_;                    ///< that is being recorded
   std::uint32_t boxesEnd_ = noPartner;                               ///< index of the instruction behind it
-  typename Hooks::TimeAt timeBeforeBoxes_;
-  bool isReached_ = true;  ///< whether anything leads to what is recorded next
+  typename Hooks::TimeAt timeBeforeBoxes_;  ///< where it is added for all, past the part or not
+  bool isReached_ = true;                   ///< whether anything leads to what is recorded next
 };
 
 }  // namespace rungproof

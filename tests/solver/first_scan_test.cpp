@@ -66,19 +66,11 @@ TEST(FirstScan, AnswersAreThoseOfTheGivenSystem) {
     Node bad = first;
     for (int part = 0; part < 3; ++part) bad = f.both(bad, families::randomTerm(f, leaves, 2, random));
     f.ask("p", bad);
-    PortfolioOptions options;
-    options.seconds = 5;
-    options.techniques.leaveOut(Technique::OneScan);
-    TechniqueLog log;
-    options.log = &log;
-    const QuestionAnswer answer = answerQuestions(f.system, options)[0];
-    ASSERT_EQ(answer.answer, families::isBadReachable(f) ? Answer::Violated : Answer::Proved) << round;
-    if (answer.answer == Answer::Violated) {
-      ASSERT_TRUE(answer.trace && families::isRunToBad(f, *answer.trace)) << round;
-      EXPECT_EQ(answer.trace->inputs.size(), 1U);
-    }
-    if (log.uses()[static_cast<std::size_t>(Technique::FirstScan)].settled == 0) continue;
-    ++(answer.answer == Answer::Proved ? proofs : runs);
+    const std::optional<QuestionAnswer> answer = families::checkedAnswer(f, Technique::FirstScan);
+    ASSERT_FALSE(HasFailure()) << round;
+    if (!answer) continue;
+    EXPECT_TRUE(!answer->trace || answer->trace->inputs.size() == 1);
+    ++(answer->answer == Answer::Proved ? proofs : runs);
   }
   EXPECT_GE(proofs, 60);
   EXPECT_GE(runs, 20);

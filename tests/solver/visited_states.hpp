@@ -2,12 +2,16 @@
 // what the portfolio answers. Constants are the initial values; a state without may begin with any.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <optional>
 #include <random>
 #include <set>
 #include <vector>
 
 #include "analysis/bits/bit_blast.hpp"
 #include "analysis/graph/evaluate.hpp"
+#include "analysis/portfolio/portfolio.hpp"
 #include "families.hpp"
 
 namespace rungproof::families {
@@ -95,6 +99,22 @@ inline bool isRunToBad(const Family& f, const WordTrace& trace) {
     states = bitsOf(scan.after, states.size());
   }
   return false;
+}
+
+/// The portfolio's answer to the question, which is that of all states and has a run that is one; nothing if the
+/// technique did not settle it.
+inline std::optional<QuestionAnswer> checkedAnswer(const Family& f, Technique technique) {
+  PortfolioOptions options;
+  options.seconds = 5;
+  options.techniques.leaveOut(Technique::OneScan);
+  TechniqueLog log;
+  options.log = &log;
+  QuestionAnswer answer = answerQuestions(f.system, options)[0];
+  const bool isReachable = isBadReachable(f);
+  EXPECT_EQ(answer.answer, isReachable ? Answer::Violated : Answer::Proved);
+  EXPECT_TRUE(!isReachable || (answer.trace && isRunToBad(f, *answer.trace)));
+  if (log.uses()[static_cast<std::size_t>(technique)].settled == 0) return std::nullopt;
+  return answer;
 }
 
 }  // namespace rungproof::families

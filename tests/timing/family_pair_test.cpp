@@ -27,18 +27,18 @@ std::ostream& operator<<(std::ostream& out, const Pair& pair) { return out << pa
 constexpr Pair pairs[] = {
     {"guard_door", 2.4},
     {"guard_locking", 1.5},
-    {"press_two_hand", 2.2},
+    {"press_two_hand", 1.5},
     {"reversing", 1.5},
     {"press_two_hand_faulty", 1.5},
     {"pump_alternation", 1.5},
     {"two_speed", 1.5},
     {"reversing_faulty", 1.5},
-    {"wound_rotor", 9},
+    {"wound_rotor", 7},
     {"star_delta", 3},
-    {"notaus", 4.5},
-    {"muting_limit", 4.5},
+    {"notaus", 3.6},
+    {"muting_limit", 3.6},
     {"hoist", 4},
-    {"star_delta_dead_time", 10},
+    {"star_delta_dead_time", 8},
 };
 
 std::vector<std::string> linesOf(const char* folder, const std::string& name) {
