@@ -9,6 +9,9 @@
 #include <chrono>
 #include <fstream>
 
+/// Of mimalloc, where that is linked.
+extern "C" [[gnu::weak]] void mi_collect(bool isForced) noexcept;
+
 namespace rungproof {
 
 std::uint64_t residentBytes() {
@@ -16,6 +19,13 @@ std::uint64_t residentBytes() {
   std::uint64_t size = 0, resident = 0;
   stream >> size >> resident;
   return stream ? resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
+void returnUnusedMemory() {
+  if (mi_collect != nullptr)
+    mi_collect(true);
+  else
+    malloc_trim(0);
 }
 
 std::uint64_t usualMemoryLimit() {
@@ -47,7 +57,7 @@ void ProofWatch::look() {
 
 void ProofWatch::release() {
   if (!isOutOfMemory()) return;
-  malloc_trim(0);
+  returnUnusedMemory();
   if (!isOverLimit()) outOfMemory_ = false;
 }
 

@@ -3,7 +3,6 @@
 // here and not in tests/prover because the limits are of wall time, and nothing runs beside this test program.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <malloc.h>
 
 #include <chrono>
 #include <csignal>
@@ -11,8 +10,8 @@
 #include <sstream>
 #include <thread>
 
-#include "analysis/recheck/z3_check.hpp"
 #include "analysis/proof/proof_watch.hpp"
+#include "analysis/recheck/z3_check.hpp"
 #include "frontend/cli/cli.hpp"
 #include "tests/machine_pace.hpp"
 #include "tests/prover/proved_text.hpp"
@@ -184,7 +183,7 @@ TEST(Limits, EncodingCountsAndCanBeStopped) {
 TEST(Limits, MemoryLeadsToUnknown) {
   const ProgramInput input = inputOf(std::string(hardProperties) + easyProperty, hardNetworks);
   ProverOptions options = usualOptions(60);
-  malloc_trim(0);  // what earlier tests left would be used first
+  returnUnusedMemory();  // what earlier tests left would be used first
   options.memory = residentBytes() + 4'000'000;
   const Clock::time_point begin = Clock::now();
   const ProofRun run = prove(input.program, input.properties, options);
