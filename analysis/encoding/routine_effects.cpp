@@ -6,6 +6,7 @@
 #include <memory>
 #include <random>
 
+#include "analysis/encoding/exact_reals.hpp"
 #include "analysis/graph/evaluate.hpp"
 #include "analysis/graph/z3_terms.hpp"
 #include "ir/s7200/scan.hpp"
@@ -19,12 +20,17 @@ constexpr int trialLoops = 40;                  ///< rounds of a loop
 constexpr std::size_t mostRoutinesPaired = 12;  ///< more are not tried in both orders
 constexpr std::size_t mostConstantsTried = 12;
 constexpr int samples = 300;                            ///< random states that weed out bounds
-constexpr unsigned proofLimit = 400;                    ///< ms of one proof: those of REAL arithmetic come to no end
+constexpr unsigned proofLimit = 400;                    ///< ms of one proof
 constexpr std::chrono::milliseconds searchLimit{3000};  ///< for all proofs
 
 bool isKeptAround(const Place& place) {
   if (place.isRegister) return place.reg == Reg::Accumulator || place.reg == Reg::Eno;
   return place.area == Area::L || (place.area == Area::SM && place.byte() == 1);
+}
+
+/// Proofs about REAL arithmetic come to no end: what it decides has no bounds.
+bool usesReals(const Graph& graph, Node node) {
+  return std::ranges::any_of(coneOf(graph, std::vector{node}), [&](Node n) { return isRealOperation(graph[n].op); });
 }
 
 }  // namespace
@@ -204,7 +210,13 @@ void RoutineEffects::findBounds(Trial& trial) {
     if (graph[n].op == Op::Variable) variables.push_back(n);
     if (graph[n].op == Op::Constant) constants[graph[n].width].insert(graph[n].value);
   }
-  for (Written& w : all) {
+  std::vector<bool> isOfReals(all.size(), false);
+  for (const auto& run : runs) {
+    for (const auto& [index, after] : run) isOfReals[index] = isOfReals[index] || usesReals(graph, after);
+  }
+  for (std::size_t index = 0; index < all.size(); ++index) {
+    if (isOfReals[index]) continue;
+    Written& w = all[index];
     const int width = w.place.width;
     std::vector<std::uint64_t> known(constants[width].begin(), constants[width].end());
     for (const std::uint64_t c : std::vector<std::uint64_t>(known)) known.push_back((c + 1) & Graph::maskOf(width));

@@ -31,7 +31,7 @@ bool QuestionSearch::searchWithoutEstimates(std::size_t question, QuestionAnswer
   const TransitionSystem system = without(isWritten ? written_.at(question) : exact_->only(question));
   if (const auto known = withoutEstimates_.find(question); !isWritten && known != withoutEstimates_.end())
     found = known->second;
-  else
+  else if (!isOfMany_ || isWritten)
     found = ask(system, left(), deadline_)[0];
   if (found.answer == Answer::Violated) witness = replayed(*exact_, system, question, *found.trace);
   const bool isAnswered = found.answer != Answer::Unknown;
@@ -59,7 +59,7 @@ void QuestionSearch::askWithoutEstimates(std::size_t question, const std::vector
   std::atomic<bool> cancel{false};
   const ProofWatch::Guard guard(watch_, cancel);
   PortfolioOptions together = portfolio(left(), deadline_, &cancel);
-  together.effort = Effort::Together;
+  if (!isOfMany_) together.effort = Effort::Together;  // each has its own time behind it
   std::vector<QuestionAnswer> answers = answerQuestions(system, alike, together);
   const bool isCutOff = !mayGoOn();  // then the next question asks those left again
   for (const std::size_t q : alike) {

@@ -167,7 +167,9 @@ QuestionSearch::Found QuestionSearch::answer(std::size_t question, const Time& t
   const auto isUnconfirmed = [&] { return !witness && answer.answer == Answer::Violated; };
   OwnRuns own(*this, question);
   if (isUnconfirmed() && !restsOnReals(question)) witness = own.search(answer, schedule::ownRunsShare);
-  bool isTried = isUnconfirmed() && searchWithoutEstimates(question, answer, witness);
+  // With little time, a question is asked once more, not twice.
+  const bool isAsked = isUnconfirmed() && searchWithoutEstimates(question, answer, witness);
+  bool isTried = isAsked || (isOfMany_ && triedWithoutEstimates_.contains(question));
   const bool isOpen = !witness && answer.answer != Answer::Proved;
   if (isOpen && !isTried && mayGoOn()) {
     std::tie(answer, witness) = search(question, answer.answer);
