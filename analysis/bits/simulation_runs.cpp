@@ -21,11 +21,18 @@ SimulationRuns::SimulationRuns(const BitSystem& system, std::uint64_t seed)
   restart();
 }
 
-/// Each bit is set with probability 2^-halvings.
-std::uint64_t SimulationRuns::sparse(int halvings) {
-  std::uint64_t mask = random_();
-  for (int i = 1; i < halvings && mask != 0; ++i) mask &= random_();
-  return mask;
+/// Lanes in which an input is chosen anew: in every scan, in one of 8, of 64 and of 1024. What is rarer is drawn from
+/// what is left of the more frequent, so that most draws are shared.
+std::uint64_t SimulationRuns::changes() {
+  constexpr std::uint64_t eighth = everyScan << 1U, sixtyFourth = everyScan << 2U, thousandth = everyScan << 3U;
+  const auto oneOfEight = [this] { return random_() & random_() & random_(); };
+  std::uint64_t rare = oneOfEight();
+  std::uint64_t result = everyScan | (rare & eighth);
+  if ((rare &= sixtyFourth | thousandth) != 0) rare &= oneOfEight();
+  result |= rare & sixtyFourth;
+  rare &= thousandth;
+  for (int halving = 0; halving < 4 && rare != 0; ++halving) rare &= random_();
+  return result | rare;
 }
 
 void SimulationRuns::restart() {
@@ -47,9 +54,7 @@ bool SimulationRuns::choose() {
   std::vector<std::uint64_t> before(system_.inputs.size());
   for (std::size_t i = 0; i < before.size(); ++i) {
     before[i] = simulator_.input(i);
-    const std::uint64_t change = fresh_ ? ~0ULL
-                                        : everyScan | (everyScan << 1U & sparse(3)) | (everyScan << 2U & sparse(6)) |
-                                              (everyScan << 3U & sparse(10));
+    const std::uint64_t change = fresh_ ? ~0ULL : changes();
     simulator_.setInput(i, (before[i] & ~change) | (random_() & change));
   }
   const auto judge = [&] {
