@@ -76,6 +76,11 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
   void inside(Bool condition, Body&& body) {
     if (m_.d.truth(condition) == false) return;
     if (m_.d.truth(condition) == true) return body();
+    if (isShortCall()) {
+      m_.d.calls.push_back({condition, (m_.frame + 1) * frameBytes});
+      m_.when(condition, body);
+      return m_.d.calls.pop_back();
+    }
     const std::uint32_t behind = m_.d.code.marks++;
     const auto timeAt = std::exchange(hooks_.timeAt, std::nullopt);
     branchWhere(CodeOp::BranchUnless, condition, behind);
@@ -120,6 +125,35 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
     const auto [place, isNew] = w.marks.try_emplace(at, m_.d.code.marks);
     if (isNew) ++m_.d.code.marks;
     return place->second;
+  }
+
+  // ---- Short calls -----------------------------------------------------------------------------------
+
+  /// Where many traces run side by side, somebody takes nearly every call: a short one without branches is done for
+  /// all, and what it writes is chosen.
+  bool isShortCall() const {
+    constexpr std::size_t mostSteps = 64;
+    if (!m_.d.code.isWholeScan || m_.d.code.countsTime || m_.current == nullptr) return false;
+    if (m_.current->desc->control != Control::Call) return false;
+    const auto steps = stepsOfCall(*m_.current, mostSteps);
+    return steps && *steps <= mostSteps;
+  }
+  /// Instructions that a call runs; nothing: there are branches, or more than `most`.
+  std::optional<std::size_t> stepsOfCall(const Instruction& call, std::size_t most) const {
+    const bool hasNumber = !call.operands.empty() && call.operands[0].kind == OperandKind::Constant;
+    const Flow* callee = hasNumber ? m_.plan.subroutine(static_cast<int>(call.operands[0].value)) : nullptr;
+    if (callee == nullptr) return std::nullopt;
+    std::size_t count = callee->steps.size();
+    for (const FlowStep& step : callee->steps) {
+      const Control control = step.instruction->desc->control;
+      const bool isEnd = control == Control::Return && &step == &callee->steps.back();
+      if (control == Control::None || control == Control::SubroutineHead || isEnd) continue;
+      const auto inner =
+          control == Control::Call && count < most ? stepsOfCall(*step.instruction, most - count) : std::nullopt;
+      if (!inner) return std::nullopt;
+      count += *inner;
+    }
+    return count <= most ? std::optional(count) : std::nullopt;
   }
 
   // ---- Boxes behind the same power flow -------------------------------------------------------------

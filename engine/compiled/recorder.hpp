@@ -48,7 +48,12 @@ class Recorder {
   bool hasParts = false;        ///< instructions that only some runs execute are branched around
   bool isAlwaysOn = false;      ///< the program leaves SM0.0 alone
   bool isAround = false;        ///< what is recorded is no instruction of the program: it may move any register
-  LoopFacts* loops = nullptr;   ///< what earlier recordings of this program have found
+  struct OpenCall {
+    Bool condition;
+    std::uint32_t firstLocal;  ///< byte of local memory
+  };
+  std::vector<OpenCall> calls{};  ///< that are done for runs that do not take them too
+  LoopFacts* loops = nullptr;     ///< what earlier recordings of this program have found
 
   // ---- Domain interface; laws in ir/domain.hpp -----------------------------------------------------
   Bool constant(bool v) const { return {v ? 1U : 0U}; }
@@ -122,6 +127,10 @@ class Recorder {
   /// What is recorded next runs only where `condition` is `value`.
   void assume(Bool condition, bool value);
 
+  /// Which runs must find that byte of local memory written that those of `guard` write: what a call that a run does
+  /// not take leaves in the memory of its block, nobody reads.
+  Bool guardOfLocal(Bool guard, std::uint32_t byte);
+
   // ---- Steps -----------------------------------------------------------------------------------------
   ValueId add(const Step& step);
   /// The value of that step, perhaps one that is there already.
@@ -178,6 +187,13 @@ class Recorder {
   std::optional<Bool> absorbed(CodeOp op, ValueId a, ValueId b);
   std::optional<Bool> orderOf(ValueId a, ValueId b);
   Bool under(Bool value, ValueId condition, bool isTrue, int depth);
+  /// What is asked of a number, except where `unless` holds: then the answer is no.
+  struct NumberTest {
+    Step test;
+    ValueId unless;
+  };
+  std::optional<NumberTest> numberTest(ValueId id) const;
+  std::optional<Bool> oneTest(ValueId condition, ValueId on, ValueId off);
 
   Bits loadPlace(Area area, Bits address, int width);
   void savePlace(Area area, Bits address, int width, Bits value);

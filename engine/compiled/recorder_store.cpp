@@ -198,6 +198,7 @@ void Recorder::Store::save(Area area, std::uint32_t bitOffset, int width, Bits v
     d_.leave(guard);
     return;
   }
+  if (area == Area::L) guard = d_.guardOfLocal(guard, byte);
   if (d_.truth(guard) != true) {
     const Bits old = loadPlace(area, bitOffset, width);
     value = d_.select(guard, value, old, width);

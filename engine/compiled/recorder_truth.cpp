@@ -116,6 +116,41 @@ Recorder::Bool Recorder::under(Bool value, ValueId condition, bool isTrue, int d
   return value;
 }
 
+Recorder::Bool Recorder::guardOfLocal(Bool guard, std::uint32_t byte) {
+  for (const OpenCall& call : calls) {
+    if (byte >= call.firstLocal) guard = under(guard, resolved(call.condition.id), true, deepest);
+  }
+  return guard;
+}
+
+std::optional<Recorder::NumberTest> Recorder::numberTest(ValueId id) const {
+  const Step& step = at(id);
+  const auto isTest = [&](const Step& s) {
+    return s.op == CodeOp::TestBit || (s.op == CodeOp::Equal && at(s.b).op == CodeOp::Constant);
+  };
+  if (isTest(step)) return NumberTest{step, 0};
+  if (step.op != CodeOp::And) return std::nullopt;
+  if (at(step.a).op == CodeOp::Not && isTest(at(step.b))) return NumberTest{at(step.b), at(step.a).a};
+  if (at(step.b).op == CodeOp::Not && isTest(at(step.a))) return NumberTest{at(step.a), at(step.b).a};
+  return std::nullopt;
+}
+
+/// Instructions write status bits that say whether their result is 0 or negative: the last result is chosen, and asked
+/// once, sooner than each of them.
+std::optional<Recorder::Bool> Recorder::oneTest(ValueId condition, ValueId on, ValueId off) {
+  const auto x = numberTest(on), y = numberTest(off);
+  if (!x || !y || x->test.op != y->test.op || x->test.b != y->test.b || x->test.value != y->test.value)
+    return std::nullopt;
+  const int width = at(x->test.a).width;
+  const bool isWord = width == 16 || width == 32;
+  if (!isWord || at(y->test.a).width != width || at(x->test.a).op == CodeOp::Join || at(y->test.a).op == CodeOp::Join)
+    return std::nullopt;
+  const Bits number = select({condition}, {x->test.a}, {y->test.a}, width);
+  const Bool test = x->test.op == CodeOp::TestBit ? bit(number, static_cast<int>(x->test.value))
+                                                  : equal(number, {x->test.b}, x->test.width);
+  return land(lnot(select({condition}, Bool{x->unless}, Bool{y->unless})), test);
+}
+
 Recorder::Bool Recorder::select(Bool c, Bool a, Bool b) {
   c.id = resolved(c.id);
   if (c.id == 1) return {resolved(a.id)};
@@ -136,6 +171,13 @@ Recorder::Bool Recorder::select(Bool c, Bool a, Bool b) {
   if (a.id == 0) return land(lnot(c), b);
   if (b.id == 0) return land(c, a);
   if (b.id == 1) return lor(lnot(c), a);
+  if (code.isWholeScan) {
+    if (const auto one = oneTest(c.id, a.id, b.id)) return *one;
+    // Of what was chosen before, the first of all is nobody's result: those after it are one chain.
+    if (const Step before = at(b.id); before.op == CodeOp::SelectBit) {
+      if (const auto one = oneTest(c.id, a.id, before.b)) return select(lor(c, {before.a}), *one, {before.c});
+    }
+  }
   return {make({.op = CodeOp::SelectBit, .a = c.id, .b = a.id, .c = b.id})};
 }
 

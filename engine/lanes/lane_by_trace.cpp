@@ -35,18 +35,18 @@ void accessByTrace(const StepByTrace& by, const LaneLayout& layout, std::uint8_t
   const std::uint32_t bytes = by.step.width / 8U;
   const bool isLoad = by.step.op == CodeOp::LoadAt;
   for (std::size_t lane = 0; lane < layout.lanes; ++lane) {
-    if (numberIn(rows, {layout.active(), Rep::Truth}, lane, false) == 0) continue;
-    const std::uint64_t address = numberIn(rows, {layout.scratch(0), Rep::Double}, lane, false) + by.step.value;
+    if (numberIn(rows, {layout.active(), Rep::Truth}, lane, layout.form) == 0) continue;
+    const std::uint64_t address = numberIn(rows, {layout.scratch(0), Rep::Double}, lane, layout.form) + by.step.value;
     if (address < reached.first || address + bytes > std::uint64_t{reached.first} + reached.count) continue;
-    std::uint8_t* const from = rows + reached.at + rowBytes * (address - reached.first) + lane;
+    std::uint8_t* const from = rows + reached.at + layout.pieceBytes * (address - reached.first) + lane;
     if (isLoad) {
       std::uint64_t value = 0;
-      for (std::uint32_t k = 0; k < bytes; ++k) value = value << 8 | from[rowBytes * k];
-      setNumberIn(rows, {layout.scratch(2), rep}, lane, false, value);
+      for (std::uint32_t k = 0; k < bytes; ++k) value = value << 8 | from[layout.pieceBytes * k];
+      setNumberIn(rows, {layout.scratch(2), rep}, lane, layout.form, value);
     } else {
-      const std::uint64_t value = numberIn(rows, {layout.scratch(1), rep}, lane, false);
+      const std::uint64_t value = numberIn(rows, {layout.scratch(1), rep}, lane, layout.form);
       for (std::uint32_t k = 0; k < bytes; ++k)
-        from[rowBytes * k] = static_cast<std::uint8_t>(value >> 8 * (bytes - 1 - k));
+        from[layout.pieceBytes * k] = static_cast<std::uint8_t>(value >> 8 * (bytes - 1 - k));
     }
   }
 }
@@ -58,9 +58,9 @@ void doByTrace(const StepByTrace* step, const LaneLayout* layout, std::uint8_t* 
   if (step->step.op == CodeOp::LoadAt || step->step.op == CodeOp::StoreAt)
     return accessByTrace(*step, *layout, rows, form);
   for (std::size_t lane = 0; lane < layout->lanes; ++lane) {
-    const std::uint64_t a = numberIn(rows, {layout->scratch(0), form}, lane, false);
-    const std::uint64_t b = numberIn(rows, {layout->scratch(1), form}, lane, false);
-    setNumberIn(rows, {layout->scratch(2), form}, lane, false, computedByTrace(step->step, a, b));
+    const std::uint64_t a = numberIn(rows, {layout->scratch(0), form}, lane, layout->form);
+    const std::uint64_t b = numberIn(rows, {layout->scratch(1), form}, lane, layout->form);
+    setNumberIn(rows, {layout->scratch(2), form}, lane, layout->form, computedByTrace(step->step, a, b));
   }
 }
 

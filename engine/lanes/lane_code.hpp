@@ -15,8 +15,8 @@ struct StepByTrace {
 
 class LaneCode {
  public:
-  LaneCode(const Code& code, const std::vector<bool>& isNeeded, const Concrete::Store& model)
-      : layout(code, isNeeded, model) {}
+  LaneCode(const Code& code, const std::vector<bool>& isNeeded, const Concrete::Store& model, bool isWide)
+      : layout(code, isNeeded, model, isWide) {}
   virtual ~LaneCode() = default;
   /// One scan of a group whose rows begin at `rows`. Traces that leave the code are on in the row left(): what their
   /// rows hold then is of no use.
@@ -25,11 +25,12 @@ class LaneCode {
   LaneLayout layout;
 };
 
-/// Whether this processor has the instructions for it.
-bool hasLanes();
-/// nullptr: there is no machine code. `model`: a state of the program.
+/// Vector instructions that this processor has: none that are of use, AVX2, or those of AVX-512 for all widths.
+enum class Vectors : std::uint8_t { None, Bits256, Bits512 };
+Vectors vectorsHere();
+/// nullptr: there is no machine code. `model`: a state of the program. `most`: no others are used.
 std::unique_ptr<LaneCode> translatedForLanes(const Code& code, const std::vector<bool>& isNeeded,
-                                             const Concrete::Store& model);
+                                             const Concrete::Store& model, Vectors most);
 
 /// Does a step for all traces that the row active() names: operands and result stand in the scratch rows 0, 1 and 2 in
 /// the form `rep`, of LoadAt and StoreAt the address as Rep::Double.

@@ -11,6 +11,7 @@
 #include <unordered_map>
 
 #include "engine/lanes/lane_code.hpp"
+#include "engine/lanes/lane_flow.hpp"
 
 namespace rungproof::lanes {
 
@@ -32,10 +33,6 @@ class LaneEmitter {
   };
 
   // lane_emitter.cpp
-  void findBlocks();
-  void findKept();
-  void findEnds();
-  void findFolded();
   void control(const Step& s);
   void store(const Step& s);
   void branchForward(const Step& s);
@@ -112,15 +109,8 @@ class LaneEmitter {
   Gp position_;  ///< time that this scan has taken at most, 10 ns
   Ymm active_;   ///< traces that run; not of straight code
 
-  std::vector<std::uint32_t> blockOf_;                   ///< by step
-  std::vector<bool> isMaskedAt_;                         ///< by step: traces may wait elsewhere meanwhile
-  std::vector<bool> isInLoop_;                           ///< by step
-  std::unordered_map<std::uint64_t, ValueId> markAt_;    ///< by number of the mark
-  std::unordered_map<ValueId, std::size_t> goOnBehind_;  ///< by branch back: row of those that go on there
-  std::unordered_map<ValueId, std::size_t> keptAt_;      ///< values that other blocks use: row
-  std::unordered_map<std::uint64_t, Vec> values_;        ///< of this block, by value, form, and if it is a mask
-  std::vector<bool> isFolded_;                           ///< negations that only And of their block uses
-  std::vector<std::vector<ValueId>> endsAt_;             ///< by step: values that the block uses no more
+  const LaneFlow flow_;
+  std::unordered_map<std::uint64_t, Vec> values_;  ///< of this block, by value, form, and if it is a mask
   static constexpr int isFree = -1;
   std::unordered_map<std::uint32_t, int> holders_;    ///< by register: how often it stands in values_
   std::unordered_map<std::uint32_t, Ymm> registers_;  ///< by number

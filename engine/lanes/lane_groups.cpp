@@ -23,9 +23,9 @@ std::uint64_t spread(std::uint64_t byte) {
 /// The other way.
 std::uint64_t gathered(std::uint64_t bytes) { return (bytes & lowBits) * 0x0102040810204080 >> 56; }
 
-void putTruth(std::uint8_t* row, bool isSliced, const std::uint64_t* traces, std::size_t firstLane) {
-  if (isSliced) {
-    std::memcpy(row, traces + firstLane / 64, rowBytes);
+void putTruth(std::uint8_t* row, const LaneLayout& layout, const std::uint64_t* traces, std::size_t firstLane) {
+  if (layout.form != Form::Bytes) {
+    std::memcpy(row, traces + firstLane / 64, layout.truthBytes);
     return;
   }
   for (std::size_t k = 0; k < rowBytes / 8; ++k) {
@@ -34,9 +34,9 @@ void putTruth(std::uint8_t* row, bool isSliced, const std::uint64_t* traces, std
     std::memcpy(row + 8 * k, &bytes, 8);
   }
 }
-void takeTruth(const std::uint8_t* row, bool isSliced, std::uint64_t* traces, std::size_t firstLane) {
-  if (isSliced) {
-    std::memcpy(traces + firstLane / 64, row, rowBytes);
+void takeTruth(const std::uint8_t* row, const LaneLayout& layout, std::uint64_t* traces, std::size_t firstLane) {
+  if (layout.form != Form::Bytes) {
+    std::memcpy(traces + firstLane / 64, row, layout.truthBytes);
     return;
   }
   for (std::size_t k = 0; k < rowBytes / 8; ++k) {
@@ -71,7 +71,7 @@ LaneGroups::LaneGroups(const Code& code, const LaneCode& laneCode, const Concret
       hasTerminals_(code.hasTerminals),
       terminals_(terminals),
       count_((count + 255) / 256 * 256),
-      blocks_((layout_.size + rowBytes - 1) / rowBytes),
+      blocks_((layout_.size + sizeof(Block) - 1) / sizeof(Block)),
       memory_(count_ / layout_.lanes * blocks_),
       inputs_(regInfo(Reg::PhysicalInput).count, TraceSet(count_ / 64)),
       isInputNew_(inputs_.size() / 8, true),
@@ -81,6 +81,7 @@ LaneGroups::LaneGroups(const Code& code, const LaneCode& laneCode, const Concret
     if (start.get(Reg::PhysicalInput, bit) != 0) inputs_[bit].assign(count_ / 64, ~std::uint64_t{0});
   }
   inputsOfScan_ = inputs_;
+  findInputPlaces();
   for (const Step& s : code.steps) {
     const bool isSlot = s.op == CodeOp::StoreBit || s.op == CodeOp::StoreSlots;
     if (isSlot && code.slots[s.value / 8].area == Area::I) isImageWritten_[code.slots[s.value / 8].byte] = true;
@@ -121,18 +122,19 @@ void LaneGroups::importFrom(const Concrete::Store& store, std::size_t trace) {
                                           : hasTerminals_ && area == Area::PQ ? pq
                                                                               : store.area(area);
     const std::uint64_t value = bytes == 0 ? of[byte] >> bit & 1U : bytesAt(of, byte, bytes);
-    setNumberIn(to, row, lane, layout_.isSliced, value);
+    setNumberIn(to, row, lane, layout_.form, value);
   });
   for (std::size_t reg = 0; reg < layout_.registerCount(); ++reg) {
-    if (const auto row = layout_.reg(reg)) setNumberIn(to, *row, lane, layout_.isSliced, store.registers()[reg]);
+    if (const auto row = layout_.reg(reg)) setNumberIn(to, *row, lane, layout_.form, store.registers()[reg]);
   }
 }
 
-LaneGroups::Image LaneGroups::image() const {
-  Image image{std::vector<std::uint8_t>(groupCount() * layout_.stateEnd), inputsOfScan_, others_};
+void LaneGroups::take(Image& image) const {
+  image.rows.resize(groupCount() * layout_.stateEnd);
   for (std::size_t g = 0; g < groupCount(); ++g)
     std::memcpy(image.rows.data() + g * layout_.stateEnd, rows(g), layout_.stateEnd);
-  return image;
+  image.inputs = inputsOfScan_;
+  image.others = others_;
 }
 
 Concrete::Store LaneGroups::storeOf(std::size_t trace, const Concrete::Store& common, const View& view) const {
@@ -146,7 +148,7 @@ Concrete::Store LaneGroups::storeOf(std::size_t trace, const Concrete::Store& co
   for (const auto& [operand, value] : view.others[trace]) setCell(store, operand, value);
   eachRow([&](Row row, Area area, std::uint32_t byte, int bytes, int bit) {
     if (isCommon(area, byte) || area == Area::L || (hasTerminals_ && (area == Area::PI || area == Area::PQ))) return;
-    const std::uint64_t value = numberIn(view.rows, row, lane, layout_.isSliced);
+    const std::uint64_t value = numberIn(view.rows, row, lane, layout_.form);
     if (bytes == 0) {
       std::uint8_t& to = store.area(area)[byte];
       to = static_cast<std::uint8_t>((to & ~(1U << bit)) | static_cast<unsigned>(value) << bit);
@@ -157,7 +159,7 @@ Concrete::Store LaneGroups::storeOf(std::size_t trace, const Concrete::Store& co
   for (std::size_t reg = 0; reg < layout_.registerCount(); ++reg) {
     const auto row = layout_.reg(reg);
     if (row && !isCommon(common, reg))
-      store.registers()[reg] = static_cast<std::uint32_t>(numberIn(view.rows, *row, lane, layout_.isSliced));
+      store.registers()[reg] = static_cast<std::uint32_t>(numberIn(view.rows, *row, lane, layout_.form));
   }
   return store;
 }
@@ -197,32 +199,44 @@ void LaneGroups::write(std::size_t trace, const Operand& operand, std::uint64_t 
   others.emplace_back(operand, value);
 }
 
-/// A byte of the input image, or of the terminals that instructions read at once.
-void LaneGroups::putInputs(std::uint32_t byte) {
-  for (const Area area : {Area::I, Area::PI}) {
-    if (area == Area::PI && !hasTerminals_) continue;
-    if (area == Area::I && 8 * byte >= terminals_) continue;
-    for (std::size_t i = 0; i < slots_.size(); ++i) {
-      if (slots_[i].area != area || slots_[i].byte != byte) continue;
-      for (std::size_t g = 0; g < groupCount(); ++g) {
-        for (std::uint32_t bit = 0; bit < 8; ++bit)
-          putTruth(rows(g) + layout_.slot(8 * i + bit), layout_.isSliced, inputs_[8 * byte + bit].data(),
-                   g * layout_.lanes);
-      }
+/// Bytes of the input image, and of the terminals that instructions read at once.
+void LaneGroups::findInputPlaces() {
+  inputPlaces_.resize(isInputNew_.size());
+  const auto isInput = [&](Area area, std::uint32_t byte) {
+    const bool isTerminal = area == Area::PI && hasTerminals_;
+    return byte < inputPlaces_.size() && (isTerminal || (area == Area::I && 8 * byte < terminals_));
+  };
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    if (isInput(slots_[i].area, slots_[i].byte)) inputPlaces_[slots_[i].byte].slots.push_back(i);
+  }
+  const auto& cells = layout_.cells();
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (std::uint32_t byte = cells[i].byte; byte < cells[i].byte + static_cast<std::uint32_t>(cells[i].bytes);
+         ++byte) {
+      if (isInput(cells[i].area, byte)) inputPlaces_[byte].cells.push_back(i);
     }
-    for (const LaneLayout::Cell& cell : layout_.cells()) {
-      if (cell.area != area || byte < cell.byte || byte >= cell.byte + static_cast<std::uint32_t>(cell.bytes)) continue;
-      const Row row{cell.at, repFor(8 * cell.bytes)};
-      const auto shift = 8 * (cell.byte + static_cast<std::uint32_t>(cell.bytes) - 1 - byte);
-      for (std::size_t trace = 0; trace < count_; ++trace) {
-        std::uint64_t own = 0;
-        for (std::uint32_t bit = 0; bit < 8; ++bit)
-          own |= static_cast<std::uint64_t>(contains(inputs_[8 * byte + bit], trace)) << bit;
-        std::uint8_t* const to = rows(trace / layout_.lanes);
-        const std::size_t lane = trace % layout_.lanes;
-        const std::uint64_t others = numberIn(to, row, lane, layout_.isSliced) & ~(0xFFULL << shift);
-        setNumberIn(to, row, lane, layout_.isSliced, others | own << shift);
-      }
+  }
+}
+
+void LaneGroups::putInputs(std::uint32_t byte) {
+  for (const std::size_t slot : inputPlaces_[byte].slots) {
+    for (std::size_t g = 0; g < groupCount(); ++g) {
+      for (std::uint32_t bit = 0; bit < 8; ++bit)
+        putTruth(rows(g) + layout_.slot(8 * slot + bit), layout_, inputs_[8 * byte + bit].data(), g * layout_.lanes);
+    }
+  }
+  for (const std::size_t index : inputPlaces_[byte].cells) {
+    const LaneLayout::Cell& cell = layout_.cells()[index];
+    const Row row{cell.at, repFor(8 * cell.bytes)};
+    const auto shift = 8 * (cell.byte + static_cast<std::uint32_t>(cell.bytes) - 1 - byte);
+    for (std::size_t trace = 0; trace < count_; ++trace) {
+      std::uint64_t own = 0;
+      for (std::uint32_t bit = 0; bit < 8; ++bit)
+        own |= static_cast<std::uint64_t>(contains(inputs_[8 * byte + bit], trace)) << bit;
+      std::uint8_t* const to = rows(trace / layout_.lanes);
+      const std::size_t lane = trace % layout_.lanes;
+      const std::uint64_t others = numberIn(to, row, lane, layout_.form) & ~(0xFFULL << shift);
+      setNumberIn(to, row, lane, layout_.form, others | own << shift);
     }
   }
 }
@@ -246,10 +260,10 @@ void LaneGroups::showCommon(const Concrete::Store& common) {
     if (std::exchange(shown.value, value) == value) continue;
     if (shown.row.rep == Rep::Truth) {
       for (std::size_t g = 0; g < groupCount(); ++g)
-        std::memset(rows(g) + shown.row.at, value != 0 ? 0xFF : 0, rowBytes);
+        std::memset(rows(g) + shown.row.at, value != 0 ? 0xFF : 0, layout_.truthBytes);
     } else {
       for (std::size_t trace = 0; trace < count_; ++trace)
-        setNumberIn(rows(trace / layout_.lanes), shown.row, trace % layout_.lanes, layout_.isSliced, value);
+        setNumberIn(rows(trace / layout_.lanes), shown.row, trace % layout_.lanes, layout_.form, value);
     }
   }
 }
@@ -267,9 +281,9 @@ TraceSet LaneGroups::scan(const LaneLayout::Head& head, const Concrete::Store& c
       continue;
     std::uint8_t* const own = rows(g);
     std::memcpy(own, &head, sizeof head);
-    putTruth(own + layout_.active(), layout_.isSliced, running.data(), first);
+    putTruth(own + layout_.active(), layout_, running.data(), first);
     laneCode_.run(own);
-    takeTruth(own + layout_.left(), layout_.isSliced, left.data(), first);
+    takeTruth(own + layout_.left(), layout_, left.data(), first);
   }
   for (std::size_t i = 0; i < left.size(); ++i) left[i] &= running[i];
   return left;
@@ -280,8 +294,7 @@ std::optional<TraceSet> LaneGroups::whereOn(Area area, std::uint32_t byte, std::
   if (slot == slots_.end() || isCommon(area, byte)) return std::nullopt;
   TraceSet on(count_ / 64);
   const std::size_t at = layout_.slot(static_cast<std::size_t>(slot - slots_.begin()) * 8 + bit);
-  for (std::size_t g = 0; g < groupCount(); ++g)
-    takeTruth(rows(g) + at, layout_.isSliced, on.data(), g * layout_.lanes);
+  for (std::size_t g = 0; g < groupCount(); ++g) takeTruth(rows(g) + at, layout_, on.data(), g * layout_.lanes);
   return on;
 }
 
@@ -289,7 +302,7 @@ TraceSet LaneGroups::errorsIn(const std::uint8_t* rows, std::size_t trace) const
   TraceSet sites((sites_ + 63) / 64);
   for (std::size_t site = 0; site < sites_; ++site) {
     const Row row{layout_.error(site), Rep::Truth};
-    sites[site / 64] |= numberIn(rows, row, trace % layout_.lanes, layout_.isSliced) << (site % 64);
+    sites[site / 64] |= numberIn(rows, row, trace % layout_.lanes, layout_.form) << (site % 64);
   }
   return sites;
 }

@@ -30,7 +30,8 @@ class LaneGroups {
     std::vector<TraceSet> inputs;
     std::vector<std::vector<std::pair<Operand, std::uint64_t>>> others;
   };
-  Image image() const;
+  /// Brings the state as it is now to `image`.
+  void take(Image& image) const;
 
   /// Input `bit` of the traces of a set is on, of all others off.
   void setInput(std::uint32_t bit, std::span<const std::uint64_t> traces);
@@ -53,8 +54,8 @@ class LaneGroups {
   }
 
  private:
-  struct alignas(rowBytes) Block {
-    std::array<std::uint8_t, rowBytes> bytes;
+  struct alignas(wideBytes) Block {
+    std::array<std::uint8_t, wideBytes> bytes;
   };
   struct View {
     const std::uint8_t* rows;
@@ -69,6 +70,7 @@ class LaneGroups {
   void importFrom(const Concrete::Store& store, std::size_t trace);
   void showCommon(const Concrete::Store& common);
   void readInputs();
+  void findInputPlaces();
   void putInputs(std::uint32_t byte);
   TraceSet errorsIn(const std::uint8_t* rows, std::size_t trace) const;
   std::size_t groupCount() const { return memory_.size() / blocks_; }
@@ -82,9 +84,13 @@ class LaneGroups {
   const std::size_t count_;
   const std::size_t blocks_;  ///< of a group
   std::vector<Block> memory_;
-  std::vector<TraceSet> inputs_;                                        ///< by terminal, as they are now
-  std::vector<TraceSet> inputsOfScan_;                                  ///< as the last scan has read them
-  std::vector<bool> isInputNew_;                                        ///< by byte
+  std::vector<TraceSet> inputs_;        ///< by terminal, as they are now
+  std::vector<TraceSet> inputsOfScan_;  ///< as the last scan has read them
+  std::vector<bool> isInputNew_;        ///< by byte
+  struct InputPlaces {
+    std::vector<std::size_t> slots, cells;  ///< indexes of a byte in slots_, and in the cells of the layout
+  };
+  std::vector<InputPlaces> inputPlaces_;                                ///< by byte
   std::vector<bool> isImageWritten_;                                    ///< by byte of I: the program writes it
   std::vector<std::vector<std::pair<Operand, std::uint64_t>>> others_;  ///< by trace: cells without rows
   struct Shown {                                                        ///< a row of what all traces have in common

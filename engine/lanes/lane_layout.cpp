@@ -41,38 +41,40 @@ bool isBitwise(const Step& s, const Code& code) {
 
 }  // namespace
 
-LaneLayout::LaneLayout(const Code& code, const std::vector<bool>& isNeeded, const Concrete::Store& model) {
+LaneLayout::LaneLayout(const Code& code, const std::vector<bool>& isNeeded, const Concrete::Store& model, bool isWide) {
   std::vector<int> registerWidth(model.registers().size(), 0);
   for (const RegInfo& info : regTable) {
     if (Concrete::Store::isTerminal(info.reg)) continue;
     for (std::uint32_t k = 0; k < model.count(info.reg); ++k) registerWidth[model.indexOf(info.reg, k)] = info.width;
   }
-  isSliced = true;
+  bool isOfBits = true;
   registers_.resize(registerWidth.size());
   std::vector<bool> isUsed(registerWidth.size(), false);
   std::vector<int> stateWidth(code.states, 1);
   for (std::size_t i = 0; i < code.steps.size(); ++i) {
     const Step& s = code.steps[i];
     if (!isNeeded[i]) continue;
-    isSliced = isSliced && isBitwise(s, code);
+    isOfBits = isOfBits && isBitwise(s, code);
     if (s.op == CodeOp::LoadRegister || s.op == CodeOp::StoreRegister) isUsed[s.value] = true;
     if (s.op == CodeOp::LoadStateWord) stateWidth[s.value] = std::max(stateWidth[s.value], int{s.width});
   }
-  lanes = isSliced ? 256 : 32;
-  size = (sizeof(Head) + rowBytes - 1) / rowBytes * rowBytes;
-  slots_ = rows(8 * code.slots.size());
+  form = isOfBits ? Form::Bits : isWide ? Form::Wide : Form::Bytes;
+  lanes = isOfBits ? 256 : isWide ? 64 : 32;
+  if (form == Form::Wide) truthBytes = wideTruthBytes, pieceBytes = wideBytes;
+  size = (sizeof(Head) + pieceBytes - 1) / pieceBytes * pieceBytes;
+  slots_ = rows(8 * code.slots.size(), Rep::Truth);
   for (std::size_t k = 0; k < registers_.size(); ++k) {
     if (!isUsed[k]) continue;
     const Rep rep = repFor(registerWidth[k]);
-    registers_[k] = Row{rows(pieceCount(rep)), rep};
+    registers_[k] = Row{rows(1, rep), rep};
   }
   placeMemory(code, isNeeded);
-  errors_ = rows(code.sites.size());
+  errors_ = rows(code.sites.size(), Rep::Truth);
   stateEnd = size;
-  for (const int width : stateWidth) states_.push_back({rows(pieceCount(repFor(width))), repFor(width)});
-  pending_ = rows(code.marks);
-  active_ = rows(2);
-  scratch_ = rows(4 * mostPieces);
+  for (const int width : stateWidth) states_.push_back({rows(1, repFor(width)), repFor(width)});
+  pending_ = rows(code.marks, Rep::Truth);
+  active_ = rows(2, Rep::Truth);
+  scratch_ = rows(4 * mostPieces, Rep::Byte);
 }
 
 /// Bytes that are always touched together have one row, others a row each.
@@ -83,7 +85,7 @@ void LaneLayout::placeMemory(const Code& code, const std::vector<bool>& isNeeded
     ofArea.first = ofArea.count == 0 ? r.first : std::min(ofArea.first, r.first);
     ofArea.count = end - ofArea.first;
   }
-  for (ReachedRows& ofArea : reached_) ofArea.at = rows(ofArea.count);
+  for (ReachedRows& ofArea : reached_) ofArea.at = rows(ofArea.count, Rep::Byte);
   struct Access {
     Area area;
     std::uint32_t byte;
@@ -114,8 +116,9 @@ void LaneLayout::placeMemory(const Code& code, const std::vector<bool>& isNeeded
   };
   const auto place = [&](Area area, std::uint32_t byte, int bytes) {
     const Access access{area, byte, 1};
-    const std::size_t at = bytes == 1 && isReached(access) ? reached(area).at + rowBytes * (byte - reached(area).first)
-                                                           : rows(pieceCount(repFor(8 * bytes)));
+    const std::size_t at = bytes == 1 && isReached(access)
+                               ? reached(area).at + pieceBytes * (byte - reached(area).first)
+                               : rows(1, repFor(8 * bytes));
     cellAt_[keyOf(area, byte)] = cells_.size();
     cells_.push_back({area, byte, bytes, at});
   };
@@ -149,28 +152,27 @@ std::optional<Row> LaneLayout::cell(Area area, std::uint32_t byte, int bytes) co
   return Row{cells_[found->second].at, repFor(8 * bytes)};
 }
 
-void LaneLayout::keepRows(std::size_t count) { kept_ = rows(count); }
+void LaneLayout::keepRows(std::size_t count) { kept_ = rows(count, Rep::Byte); }
 
-std::uint64_t numberIn(const std::uint8_t* rows, Row row, std::size_t lane, bool isSliced) {
+std::uint64_t numberIn(const std::uint8_t* rows, Row row, std::size_t lane, Form form) {
   const std::uint8_t* const from = rows + row.at;
-  if (isSliced) return from[lane / 8] >> (lane % 8) & 1U;
-  if (row.rep == Rep::Truth) return from[lane] & 1U;
+  if (row.rep == Rep::Truth) return form == Form::Bytes ? from[lane] & 1U : from[lane / 8] >> (lane % 8) & 1U;
   const auto bytes = static_cast<std::size_t>(bitsOf(row.rep)) / 8;
   std::uint64_t value = 0;
-  std::memcpy(&value, from + bytes * elementOf(row.rep, lane), bytes);
+  std::memcpy(&value, from + bytes * (form == Form::Wide ? lane : elementOf(row.rep, lane)), bytes);
   return value;
 }
 
-void setNumberIn(std::uint8_t* rows, Row row, std::size_t lane, bool isSliced, std::uint64_t value) {
+void setNumberIn(std::uint8_t* rows, Row row, std::size_t lane, Form form, std::uint64_t value) {
   std::uint8_t* const to = rows + row.at;
-  if (isSliced) {
+  if (row.rep == Rep::Truth && form != Form::Bytes) {
     const auto mask = static_cast<std::uint8_t>(1U << (lane % 8));
     to[lane / 8] = static_cast<std::uint8_t>((value & 1) != 0 ? to[lane / 8] | mask : to[lane / 8] & ~mask);
     return;
   }
   if (row.rep == Rep::Truth) value = (value & 1) != 0 ? 0xFF : 0;
   const std::size_t bytes = row.rep == Rep::Truth ? 1 : static_cast<std::size_t>(bitsOf(row.rep)) / 8;
-  std::memcpy(to + bytes * elementOf(row.rep, lane), &value, bytes);
+  std::memcpy(to + bytes * (form == Form::Wide ? lane : elementOf(row.rep, lane)), &value, bytes);
 }
 
 }  // namespace rungproof::lanes

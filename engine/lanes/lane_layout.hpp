@@ -1,7 +1,8 @@
 // LaneLayout: where the state of a group of traces stands that run side by side. Every piece of state that the code
-// touches has a row: the same piece of all traces of the group, in the form (Rep) in which vector instructions of 256
-// bits compute with it. A group has 32 traces, with a byte of eight equal bits for each truth value; where the code
-// computes with truth values only, it has 256, with a bit for each. Covered by tests/lanes.
+// touches has a row: the same piece of all traces of the group, in the form (Rep) in which vector instructions compute
+// with it. Where the code computes with truth values only, a group has 256 traces, with a bit for each. Otherwise it
+// has 64, of which a truth value is a double word pair and numbers stand in registers of 512 bits; or 32 with a byte of
+// eight equal bits for each truth value, where the processor has 256 bits only. Covered by tests/lanes.
 #pragma once
 
 #include <array>
@@ -23,9 +24,17 @@ using compiled::ValueId;
 /// A value of all traces of a group: truth values, or numbers of 8, 16, 32 or 64 bits.
 enum class Rep : std::uint8_t { Truth, Byte, Word, Double, Quad };
 
-inline constexpr std::size_t rowBytes = 32;
+/// How a group stands in memory.
+enum class Form : std::uint8_t {
+  Bits,   ///< 256 traces, a bit of each
+  Bytes,  ///< 32 traces, truth values are bytes; registers of 256 bits
+  Wide    ///< 64 traces, truth values are bits; registers of 512 bits
+};
+
+/// A register of 256 bits; a row of Form::Wide is one of 512 bits, or 64 bits of a truth value.
+inline constexpr std::size_t rowBytes = 32, wideBytes = 64, wideTruthBytes = 8;
 inline constexpr std::size_t mostPieces = 8;
-/// Registers of 256 bits that a value takes.
+/// Registers that a value takes.
 constexpr std::size_t pieceCount(Rep rep) {
   return rep <= Rep::Byte ? 1 : std::size_t{1} << (static_cast<int>(rep) - static_cast<int>(Rep::Byte));
 }
@@ -39,8 +48,8 @@ constexpr Rep repFor(int width) {
 }
 constexpr int bitsOf(Rep rep) { return rep == Rep::Truth ? 1 : 4 << static_cast<int>(rep); }
 
-/// Where the number of a trace stands in a row: numbers are widened half by half within 128 bits, as the processor's
-/// instructions for that do, so that no value crosses the middle of a register.
+/// Where the number of a trace stands in a row of Form::Bytes: numbers are widened half by half within 128 bits, as the
+/// processor's instructions for that do, so that no value crosses the middle of a register.
 constexpr std::size_t elementOf(Rep rep, std::size_t lane) {
   if (rep <= Rep::Byte) return lane;
   const std::size_t perHalf = 128 / static_cast<std::size_t>(bitsOf(rep));
@@ -77,7 +86,8 @@ constexpr bool isClearing(const Step& s, const Code& code) {
 
 class LaneLayout {
  public:
-  LaneLayout(const Code& code, const std::vector<bool>& isNeeded, const Concrete::Store& model);
+  /// `isWide`: the processor has registers of 512 bits.
+  LaneLayout(const Code& code, const std::vector<bool>& isNeeded, const Concrete::Store& model, bool isWide);
 
   /// What all traces have in common in a scan, in front of the rows.
   struct Head {
@@ -85,18 +95,19 @@ class LaneLayout {
     std::uint64_t mostTime = 0;            ///< 10 ns
   };
 
-  bool isSliced = false;
+  Form form = Form::Bytes;
   std::size_t lanes = 32;
+  std::size_t truthBytes = rowBytes, pieceBytes = rowBytes;  ///< of a truth value of all, of a register of numbers
   std::size_t stateEnd = 0;  ///< up to here rows hold state; behind them is room for a scan
   std::size_t size = 0;
 
-  std::size_t slot(std::uint64_t number) const { return slots_ + rowBytes * number; }
-  std::size_t error(std::uint64_t site) const { return errors_ + rowBytes * site; }
-  std::size_t pending(std::uint64_t mark) const { return pending_ + rowBytes * mark; }
-  std::size_t kept(std::size_t number) const { return kept_ + rowBytes * number; }
+  std::size_t slot(std::uint64_t number) const { return slots_ + truthBytes * number; }
+  std::size_t error(std::uint64_t site) const { return errors_ + truthBytes * site; }
+  std::size_t pending(std::uint64_t mark) const { return pending_ + truthBytes * mark; }
+  std::size_t kept(std::size_t number) const { return kept_ + pieceBytes * number; }
   std::size_t active() const { return active_; }  ///< traces that run
-  std::size_t left() const { return active_ + rowBytes; }
-  std::size_t scratch(std::size_t operand) const { return scratch_ + rowBytes * mostPieces * operand; }
+  std::size_t left() const { return active_ + truthBytes; }
+  std::size_t scratch(std::size_t operand) const { return scratch_ + pieceBytes * mostPieces * operand; }
   Row state(std::uint64_t number) const { return states_[number]; }
   /// Registers of the machine; nothing: the code does not touch it.
   std::optional<Row> reg(std::size_t index) const { return registers_[index]; }
@@ -118,9 +129,11 @@ class LaneLayout {
 
  private:
   void placeMemory(const Code& code, const std::vector<bool>& isNeeded);
-  std::size_t rows(std::size_t count) {
+  /// Room for so many values.
+  std::size_t rows(std::size_t count, Rep rep) {
+    if (rep != Rep::Truth) size = (size + pieceBytes - 1) / pieceBytes * pieceBytes;
     const std::size_t at = size;
-    size += rowBytes * count;
+    size += count * (rep == Rep::Truth ? truthBytes : pieceBytes * pieceCount(rep));
     return at;
   }
 
@@ -133,7 +146,7 @@ class LaneLayout {
 };
 
 /// The number of one trace in a row.
-std::uint64_t numberIn(const std::uint8_t* rows, Row row, std::size_t lane, bool isSliced);
-void setNumberIn(std::uint8_t* rows, Row row, std::size_t lane, bool isSliced, std::uint64_t value);
+std::uint64_t numberIn(const std::uint8_t* rows, Row row, std::size_t lane, Form form);
+void setNumberIn(std::uint8_t* rows, Row row, std::size_t lane, Form form, std::uint64_t value);
 
 }  // namespace rungproof::lanes

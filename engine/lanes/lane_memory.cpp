@@ -23,13 +23,13 @@ constexpr auto doubleAt = [] {
 void LaneEmitter::storeRow(Row row, const Vec& value) {
   CHECK(row.rep == value.rep, "a row in another form");
   Vec mask{Rep::Truth, {active_}};
-  if (isMaskedAt_[step_]) {
+  if (flow_.isMaskedAt[step_]) {
     if (row.rep != Rep::Truth) mask.rep = Rep::Byte;
     while (mask.rep < row.rep) mask = widened(mask, true);
   }
   for (std::size_t i = 0; i < pieceCount(row.rep); ++i) {
     const std::size_t offset = row.at + rowBytes * i;
-    save(offset, isMaskedAt_[step_] ? chosen(mask.piece[i], value.piece[i], load(offset)) : value.piece[i]);
+    save(offset, flow_.isMaskedAt[step_] ? chosen(mask.piece[i], value.piece[i], load(offset)) : value.piece[i]);
   }
 }
 
@@ -186,7 +186,7 @@ void LaneEmitter::storeAt(const Step& s) {
   for (std::uint32_t k = 0; k < bytes; ++k) {
     const Mem row = x86::ptr(rows_, place, 0, static_cast<std::int32_t>(reached.at + rowBytes * k), rowBytes);
     Ymm byte = byteOf(value, bytes - 1 - k).piece[0];
-    if (isMaskedAt_[step_]) {
+    if (flow_.isMaskedAt[step_]) {
       const Ymm old = fresh();
       c_.vmovdqa(old, row);
       byte = chosen(active_, byte, old);

@@ -1,8 +1,11 @@
-// Machine code for groups of traces, where the processor has AVX2.
+// Machine code for groups of traces, where the processor has AVX2 or AVX-512.
+#include <algorithm>
+
 #include "engine/lanes/lane_code.hpp"
 
 #if defined(__x86_64__)
 #include "engine/lanes/lane_emitter.hpp"
+#include "engine/lanes/wide_emitter.hpp"
 #endif
 
 namespace rungproof::lanes {
@@ -18,11 +21,13 @@ asmjit::JitRuntime& laneRuntime() {
 
 class X86LaneCode final : public LaneCode {
  public:
-  X86LaneCode(const Code& code, const std::vector<bool>& isNeeded, const Concrete::Store& model)
-      : LaneCode(code, isNeeded, model) {
+  X86LaneCode(const Code& code, const std::vector<bool>& isNeeded, const Concrete::Store& model, bool isWide)
+      : LaneCode(code, isNeeded, model, isWide) {
     asmjit::CodeHolder holder;
     if (holder.init(laneRuntime().environment()) != asmjit::kErrorOk) return;
-    if (!LaneEmitter(code, isNeeded, layout, byTrace_, holder).emit()) return;
+    const bool isDone = layout.form == Form::Wide ? WideEmitter(code, isNeeded, layout, byTrace_, holder).emit()
+                                                  : LaneEmitter(code, isNeeded, layout, byTrace_, holder).emit();
+    if (!isDone) return;
     if (laneRuntime().add(&function_, &holder) != asmjit::kErrorOk) function_ = nullptr;
   }
   ~X86LaneCode() override { laneRuntime().release(function_); }
@@ -38,18 +43,25 @@ class X86LaneCode final : public LaneCode {
 
 }  // namespace
 
-bool hasLanes() { return asmjit::CpuInfo::host().features().x86().hasAVX2(); }
+Vectors vectorsHere() {
+  const auto& features = asmjit::CpuInfo::host().features().x86();
+  if (!features.hasAVX2()) return Vectors::None;
+  const bool isWide = features.hasAVX512_F() && features.hasAVX512_BW() && features.hasAVX512_DQ() &&
+                      features.hasAVX512_VL() && features.hasBMI() && features.hasBMI2();
+  return isWide ? Vectors::Bits512 : Vectors::Bits256;
+}
 
 std::unique_ptr<LaneCode> translatedForLanes(const Code& code, const std::vector<bool>& isNeeded,
-                                             const Concrete::Store& model) {
-  auto made = std::make_unique<X86LaneCode>(code, isNeeded, model);
+                                             const Concrete::Store& model, Vectors most) {
+  const bool isWide = std::min(most, vectorsHere()) == Vectors::Bits512;
+  auto made = std::make_unique<X86LaneCode>(code, isNeeded, model, isWide);
   return made->isThere() ? std::move(made) : nullptr;
 }
 
 #else
 
-bool hasLanes() { return false; }
-std::unique_ptr<LaneCode> translatedForLanes(const Code&, const std::vector<bool>&, const Concrete::Store&) {
+Vectors vectorsHere() { return Vectors::None; }
+std::unique_ptr<LaneCode> translatedForLanes(const Code&, const std::vector<bool>&, const Concrete::Store&, Vectors) {
   return nullptr;
 }
 

@@ -81,8 +81,8 @@ LaneEmitter::Vec LaneEmitter::truth(const Step& s) {
   const auto bit = [&](ValueId id) { return use(id, Rep::Truth).piece[0]; };
   switch (s.op) {
     case CodeOp::And:
-      if (isFolded_[s.a]) return {Rep::Truth, {op(Inst::kIdVpandn, bit(code_.steps[s.a].a), bit(s.b))}};
-      if (isFolded_[s.b]) return {Rep::Truth, {op(Inst::kIdVpandn, bit(code_.steps[s.b].a), bit(s.a))}};
+      if (flow_.isFolded[s.a]) return {Rep::Truth, {op(Inst::kIdVpandn, bit(code_.steps[s.a].a), bit(s.b))}};
+      if (flow_.isFolded[s.b]) return {Rep::Truth, {op(Inst::kIdVpandn, bit(code_.steps[s.b].a), bit(s.a))}};
       return {Rep::Truth, {op(Inst::kIdVpand, bit(s.a), bit(s.b))}};
     case CodeOp::Or: return {Rep::Truth, {op(Inst::kIdVpor, bit(s.a), bit(s.b))}};
     case CodeOp::Xor: return {Rep::Truth, {op(Inst::kIdVpxor, bit(s.a), bit(s.b))}};

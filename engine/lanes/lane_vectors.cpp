@@ -37,7 +37,7 @@ void LaneEmitter::hold(ValueId id, Rep rep, bool isMask, const Vec& value) {
 
 /// Behind a step: what nobody needs any more is free.
 void LaneEmitter::release() {
-  for (const ValueId id : endsAt_[step_]) {
+  for (const ValueId id : flow_.endsAt[step_]) {
     for (const bool isMask : {false, true}) {
       for (int rep = 0; rep <= static_cast<int>(Rep::Quad); ++rep) {
         const auto found = values_.find(formKey(id, static_cast<Rep>(rep), isMask));
@@ -165,7 +165,8 @@ LaneEmitter::Vec LaneEmitter::shifted(const Vec& value, bool isLeft, std::uint32
 x86::Ymm LaneEmitter::inverted(const Ymm& truth) { return op(Inst::kIdVpxor, truth, constantRow(1, Rep::Truth)); }
 
 x86::Ymm LaneEmitter::chosen(const Ymm& mask, const Ymm& ifOn, const Ymm& ifOff) {
-  if (layout_.isSliced) return op(Inst::kIdVpxor, op(Inst::kIdVpand, op(Inst::kIdVpxor, ifOn, ifOff), mask), ifOff);
+  if (layout_.form == Form::Bits)
+    return op(Inst::kIdVpxor, op(Inst::kIdVpand, op(Inst::kIdVpxor, ifOn, ifOff), mask), ifOff);
   const Ymm to = fresh();
   c_.vpblendvb(to, ifOff, ifOn, mask);
   return to;
@@ -182,8 +183,8 @@ LaneEmitter::Vec LaneEmitter::made(ValueId id) {
   if (s.op == CodeOp::False || s.op == CodeOp::True) {
     value = constant(id, Rep::Truth);
   } else {
-    const auto kept = keptAt_.find(id);
-    CHECK(kept != keptAt_.end(), "a value that no block has made");
+    const auto kept = flow_.keptAt.find(id);
+    CHECK(kept != flow_.keptAt.end(), "a value that no block has made");
     value = loaded({layout_.kept(kept->second), rep});
   }
   hold(id, rep, false, value);

@@ -17,8 +17,9 @@ namespace rungproof {
 
 namespace {
 
-/// Scans between two checkpoints: a trace that is set apart repeats so many at most.
-constexpr std::size_t scansBetweenCheckpoints = 64;
+/// Scans between two checkpoints: a trace that is set apart repeats so many at most. Where the state is large, so many
+/// more that keeping it takes little of the time.
+constexpr std::size_t leastBetweenCheckpoints = 64, mostBetweenCheckpoints = 512, bytesByScan = 2048;
 constexpr std::uint32_t tenNsPerUs = 100, tenNsPerMs = 1000 * tenNsPerUs;
 
 class QuietOutside final : public Outside {
@@ -53,7 +54,7 @@ bool writesCommon(const compiled::Code& code, const std::vector<bool>& isNeeded,
 
 }  // namespace
 
-ManyTraces::ManyTraces(const Program& program, const SimulatorOptions& options, std::size_t count)
+ManyTraces::ManyTraces(const Program& program, const SimulatorOptions& options, std::size_t count, lanes::Vectors most)
     : program_(program),
       options_(options),
       lead_(program, options),
@@ -67,7 +68,7 @@ ManyTraces::ManyTraces(const Program& program, const SimulatorOptions& options, 
   options_.choices = choicesFor(program.target, options.choices);
   for (std::size_t trace = 0; trace < count; ++trace) running_[trace / 64] |= std::uint64_t{1} << (trace % 64);
   cpu_.guard = true;
-  hindrance_ = hindranceOf();
+  hindrance_ = hindranceOf(most);
   if (hindrance_.empty()) {
     const Plan& plan = lead_.plan();
     compiled::InstructionTimes times;
@@ -78,24 +79,25 @@ ManyTraces::ManyTraces(const Program& program, const SimulatorOptions& options, 
       hindrance_ = "SM0.0 is off";
     } else if (writesCommon(recorded_, isNeeded, common_)) {
       hindrance_ = "the program writes what belongs to the CPU";
-    } else if (code_ = lanes::translatedForLanes(recorded_, isNeeded, common_); code_ == nullptr) {
+    } else if (code_ = lanes::translatedForLanes(recorded_, isNeeded, common_, most); code_ == nullptr) {
       hindrance_ = "there is no vector code for it";
     } else {
       groups_ = std::make_unique<lanes::LaneGroups>(recorded_, *code_, common_, cpu_.terminals(), count);
       recorded_.steps = {};
+      scansBetween_ = std::clamp(code_->layout.stateEnd / bytesByScan, leastBetweenCheckpoints, mostBetweenCheckpoints);
       checkpoint();
       return;
     }
   }
-  since_.emplace_back();
+  beginEntry();
   setAllApart();
 }
 
 ManyTraces::~ManyTraces() = default;
 
-std::string ManyTraces::hindranceOf() const {
+std::string ManyTraces::hindranceOf(lanes::Vectors most) const {
   const Plan& plan = lead_.plan();
-  if (!lanes::hasLanes()) return "the processor has no AVX2";
+  if (std::min(most, lanes::vectorsHere()) == lanes::Vectors::None) return "the processor has no AVX2";
   if (!plan.isStep7() && plan.main() == nullptr) return "there is no main program";
   if (!options_.choices.is(Choice::UnknownBits, "zero")) return "bits that the manual calls unknown are not 0";
   const auto isAttached = [&](int event) {
@@ -111,15 +113,20 @@ std::string ManyTraces::hindranceOf() const {
 }
 
 void ManyTraces::checkpoint() {
-  image_ = groups_->image();
+  groups_->take(image_);
   commonThen_ = common_;
   momentThen_ = moment_;
-  since_.clear();
-  since_.emplace_back();
+  entries_ = 0;
+  beginEntry();
 }
 
-void ManyTraces::giveInput(Simulator& simulator, const Entry::Input& input, std::size_t trace) const {
-  simulator.write(direct(Area::I, Width::Bit, input.byte, input.bit), lanes::contains(input.traces, trace) ? 1 : 0);
+void ManyTraces::beginEntry() {
+  if (entries_ == since_.size()) since_.emplace_back();
+  since_[entries_++].clear();
+}
+
+void ManyTraces::giveInput(Simulator& simulator, std::uint32_t byte, std::uint32_t bit, bool isOn) const {
+  simulator.write(direct(Area::I, Width::Bit, byte, bit), isOn ? 1 : 0);
 }
 
 /// From the checkpoint on, with what came since, up to before the scan of the last entry.
@@ -131,12 +138,15 @@ void ManyTraces::setApart(std::size_t trace) {
   if (groups_ == nullptr) return;
   errorsBefore_[trace] = groups_->errorsOf(trace, image_);
   simulator.goOnFrom(withOutputs(groups_->store(trace, commonThen_, image_)), momentThen_);
-  for (const Entry& entry : since_) {
-    for (const Entry::Input& input : entry.inputs) giveInput(simulator, input, trace);
+  for (const Entry& entry : std::span(since_).first(entries_)) {
+    for (const Entry::Input& input : entry.inputs) {
+      const bool isOn = (entry.traces[input.firstWord + trace / 64] >> (trace % 64) & 1) != 0;
+      giveInput(simulator, input.byte, input.bit, isOn);
+    }
     for (const Entry::Write& write : entry.writes) {
       if (write.trace == trace) simulator.write(write.operand, write.value);
     }
-    if (&entry != &since_.back()) simulator.scan({.lengthUs = entry.lengthUs});
+    if (&entry != &since_[entries_ - 1]) simulator.scan({.lengthUs = entry.lengthUs});
   }
 }
 void ManyTraces::setAllApart() {
@@ -146,22 +156,23 @@ void ManyTraces::setAllApart() {
 }
 
 void ManyTraces::setInput(std::uint32_t byte, std::uint32_t bit, const TraceSet& traces) {
-  const Entry::Input input{byte, bit, traces};
   if (sideBySide_ < count_) {
     for (std::size_t trace = 0; trace < count_; ++trace) {
-      if (apart_[trace] != nullptr) giveInput(*apart_[trace], input, trace);
+      if (apart_[trace] != nullptr) giveInput(*apart_[trace], byte, bit, lanes::contains(traces, trace));
     }
   }
   if (sideBySide_ == 0) return;
   groups_->setInput(8 * byte + bit, traces);
-  since_.back().inputs.push_back(input);
+  Entry& entry = since_[entries_ - 1];
+  entry.inputs.push_back({byte, bit, entry.traces.size()});
+  entry.traces.insert(entry.traces.end(), traces.begin(), traces.end());
 }
 
 void ManyTraces::write(std::size_t trace, const Operand& operand, std::uint64_t value) {
   CHECK(!lanes::isCommon(operand.area, operand.offset), "what the CPU itself writes into all traces");
   if (apart_[trace] != nullptr) return apart_[trace]->write(operand, value);
   groups_->write(trace, operand, value, common_);
-  since_.back().writes.push_back({trace, operand, value});
+  since_[entries_ - 1].writes.push_back({trace, operand, value});
 }
 
 void ManyTraces::scan(std::uint32_t lengthUs) {
@@ -191,13 +202,13 @@ void ManyTraces::scan(std::uint32_t lengthUs) {
     moment_.sinceTick = static_cast<std::uint32_t>(sinceTick % tenNsPerMs);
   }
   ++moment_.scanCount;
-  for (const std::unique_ptr<Simulator>& simulator : apart_) {
-    if (sideBySide_ < count_ && simulator != nullptr) simulator->scan({.lengthUs = lengthUs});
+  for (std::size_t trace = 0; sideBySide_ < count_ && trace < count_; ++trace) {
+    if (apart_[trace] != nullptr) apart_[trace]->scan({.lengthUs = lengthUs});
   }
   if (sideBySide_ == 0) return;
-  since_.back().lengthUs = lengthUs;
-  since_.emplace_back();
-  if (since_.size() > scansBetweenCheckpoints) checkpoint();
+  since_[entries_ - 1].lengthUs = lengthUs;
+  beginEntry();
+  if (entries_ > scansBetween_) checkpoint();
 }
 
 /// The terminals of outputs follow from their image.

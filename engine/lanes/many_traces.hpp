@@ -18,8 +18,9 @@ class ManyTraces {
  public:
   using TraceSet = lanes::TraceSet;
 
-  /// Powers up into RUN, as Simulator does. The program must outlive it.
-  ManyTraces(const Program& program, const SimulatorOptions& options, std::size_t count);
+  /// Powers up into RUN, as Simulator does. The program must outlive it. `most`: no other instructions are used.
+  ManyTraces(const Program& program, const SimulatorOptions& options, std::size_t count,
+             lanes::Vectors most = lanes::Vectors::Bits512);
   ~ManyTraces();
   ManyTraces(const ManyTraces&) = delete;
   ManyTraces& operator=(const ManyTraces&) = delete;
@@ -44,7 +45,7 @@ class ManyTraces {
 
   /// Traces that still run side by side.
   std::size_t sideBySide() const { return sideBySide_; }
-  /// How many at once: 256, or 32 where the program computes with words; 0: none.
+  /// How many at once: 256, or 64 or 32 where the program computes with words; 0: none.
   std::size_t lanes() const { return code_ == nullptr ? 0 : code_->layout.lanes; }
   /// Why none ever did; empty where they did.
   const std::string& hindrance() const { return hindrance_; }
@@ -58,19 +59,26 @@ class ManyTraces {
     };
     struct Input {
       std::uint32_t byte, bit;
-      TraceSet traces;
+      std::size_t firstWord;  ///< of its traces
     };
     std::vector<Write> writes;
     std::vector<Input> inputs;
+    TraceSet traces;             ///< of all inputs, one behind the other
     std::uint32_t lengthUs = 0;  ///< of the scan that follows
+    void clear() {
+      writes.clear();
+      inputs.clear();
+      traces.clear();
+    }
   };
 
-  std::string hindranceOf() const;
+  std::string hindranceOf(lanes::Vectors most) const;
   void setApart(std::size_t trace);
   void setAllApart();
   void checkpoint();
   Concrete::Store withOutputs(Concrete::Store store) const;
-  void giveInput(Simulator& simulator, const Entry::Input& input, std::size_t trace) const;
+  void giveInput(Simulator& simulator, std::uint32_t byte, std::uint32_t bit, bool isOn) const;
+  void beginEntry();
 
   const Program& program_;
   SimulatorOptions options_;
@@ -92,7 +100,9 @@ class ManyTraces {
   lanes::LaneGroups::Image image_;  ///< of the checkpoint
   Concrete::Store commonThen_;
   Simulator::Moment momentThen_;
-  std::vector<Entry> since_;
+  std::vector<Entry> since_;  ///< the first `entries_` of them
+  std::size_t entries_ = 0;
+  std::size_t scansBetween_ = 0;  ///< two checkpoints
 };
 
 }  // namespace rungproof

@@ -17,9 +17,11 @@ int programsOf(int byDefault) {
   return given == nullptr ? byDefault : std::atoi(given);
 }
 
-/// Every eighth program has scans that may be shorter than it is.
+/// Every eighth program has scans that may be shorter than it is; every third is run as on a processor that has
+/// registers of 256 bits only.
 ManyOptions optionsFor(std::uint64_t seed) {
   ManyOptions options;
+  if (seed % 3 == 0) options.most = lanes::Vectors::Bits256;
   options.isTight = seed % 8 == 0;
   return options;
 }

@@ -9,10 +9,10 @@ namespace rungproof::test {
 
 namespace {
 
-/// More than one group of 32, and the last one not full.
+/// More than one group of 64, and the last one not full.
 constexpr std::size_t traceCount = 70;
 /// Those that have a reference engine beside them: both ends and the middles of registers, and another group.
-constexpr std::size_t refereed[] = {0, 7, 8, 19, 31, 32, 69};
+constexpr std::size_t refereed[] = {0, 7, 8, 19, 31, 32, 63, 69};
 
 std::string differenceOf(const Concrete::Store& reference, const Concrete::Store& lane) {
   for (int i = 0; i < areaCount; ++i) {
@@ -45,7 +45,7 @@ std::string errorDifference(const RunTimeErrors& reference, std::vector<std::pai
 }  // namespace
 
 ManyOutcome runBeside(const Program& program, RandomSource& random, const ManyOptions& options) {
-  ManyTraces many(program, options.engine, traceCount);
+  ManyTraces many(program, options.engine, traceCount, options.most);
   SimulatorOptions forReference = options.engine;
   forReference.engine = EngineKind::Reference;
   std::vector<std::unique_ptr<Simulator>> references;

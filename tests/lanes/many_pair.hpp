@@ -23,6 +23,7 @@ struct ManyOptions {
   Area words = Area::V;
   std::uint32_t firstByte = 0;
   SimulatorOptions engine{};
+  lanes::Vectors most = lanes::Vectors::Bits512;  ///< no other instructions are used
 };
 
 ManyOutcome runBeside(const Program& program, RandomSource& random, const ManyOptions& options = {});

@@ -1,0 +1,147 @@
+// Which values all traces have in common. First every value is taken for one that could be; what turns out to depend on
+// a trace is crossed out until nothing is left to cross out. Memory is common from a store of a common value on, where
+// all traces come to it at once, until another store.
+#include <algorithm>
+#include <unordered_set>
+
+#include "engine/lanes/lane_flow.hpp"
+
+namespace rungproof::lanes {
+
+namespace {
+
+/// Whether one number is computed, where the operands are common.
+bool isOneNumber(const Step& s, const Code& code) {
+  switch (s.op) {
+    case CodeOp::RealEqual:
+    case CodeOp::RealLess:
+    case CodeOp::RealLegal:
+    case CodeOp::Mul:
+    case CodeOp::DivideUnsigned:
+    case CodeOp::RemainderUnsigned:
+    case CodeOp::DivideSigned:
+    case CodeOp::RemainderSigned:
+    case CodeOp::RealAdd:
+    case CodeOp::RealSub:
+    case CodeOp::RealMul:
+    case CodeOp::RealDiv:
+    case CodeOp::RealFunction:
+    case CodeOp::RealFromInt:
+    case CodeOp::RealToInt:
+    case CodeOp::LoadSlots:
+    case CodeOp::LoadAt: return false;
+    case CodeOp::ShiftLeft:
+    case CodeOp::ShiftRight: return code.steps[s.b].op == CodeOp::Constant;
+    default: return hasValue(s.op);
+  }
+}
+
+/// Places of the state whose content is common, or all of them: nobody comes there.
+class CommonPlaces {
+ public:
+  static std::uint64_t ofRegister(std::uint64_t index) { return 1ULL << 60 | index; }
+  static std::uint64_t ofState(std::uint64_t number) { return 2ULL << 60 | number; }
+  static std::uint64_t ofSlot(std::uint64_t slot) { return 3ULL << 60 | slot; }
+  static std::uint64_t ofByte(Area area, std::uint64_t byte) {
+    return 4ULL << 60 | static_cast<std::uint64_t>(area) << 40 | byte;
+  }
+
+  bool isEverything = false;
+  bool contains(std::uint64_t place) const { return isEverything || places_.contains(place); }
+  void put(std::uint64_t place, bool isCommon) {
+    if (isEverything) return;
+    if (isCommon)
+      places_.insert(place);
+    else
+      places_.erase(place);
+  }
+  void forget(Area area) {
+    std::erase_if(places_, [&](std::uint64_t p) { return p >> 60 == 4 && p >> 40 == ofByte(area, 0) >> 40; });
+  }
+  /// False: it was so already.
+  bool keepOnly(const CommonPlaces& other) {
+    if (other.isEverything) return false;
+    if (isEverything) {
+      *this = other;
+      return true;
+    }
+    return std::erase_if(places_, [&](std::uint64_t p) { return !other.places_.contains(p); }) > 0;
+  }
+
+ private:
+  std::unordered_set<std::uint64_t> places_;
+};
+
+}  // namespace
+
+void LaneFlow::findCommon() {
+  for (ValueId i = 0; i < code_.steps.size(); ++i) {
+    const Step& s = code_.steps[i];
+    isCommon[i] = isNeeded_[i] && (isOneNumber(s, code_) || isBranch(s.op));
+  }
+  do findMasks();
+  while (narrowCommon());
+}
+
+/// Crosses out what the masks as they are now, and what is crossed out already, allow no more.
+bool LaneFlow::narrowCommon() {
+  bool isNarrowed = false;
+  const auto crossOut = [&](ValueId id) {
+    if (isCommon[id]) isNarrowed = true;
+    isCommon[id] = false;
+  };
+  std::unordered_map<std::uint64_t, CommonPlaces> atMark;
+  for (const auto& [mark, step] : markAt) atMark[mark].isEverything = true;
+  for (bool isNew = true; isNew;) {
+    isNew = false;
+    CommonPlaces now;
+    for (ValueId i = 0; i < code_.steps.size(); ++i) {
+      const Step& s = code_.steps[i];
+      if (!isNeeded_[i]) continue;
+      const int operands = compiled::operandCount(s.op);
+      const bool isOfCommon =
+          (operands < 1 || isCommon[s.a]) && (operands < 2 || isCommon[s.b]) && (operands < 3 || isCommon[s.c]);
+      if ((hasValue(s.op) || isBranch(s.op)) && !isOfCommon) crossOut(i);
+      if (isBranch(s.op) && isMaskedAt[i]) crossOut(i);
+      const bool isStored = isOfCommon && !isMaskedAt[i];
+      const auto load = [&](std::uint64_t place) {
+        if (!now.contains(place)) crossOut(i);
+      };
+      switch (s.op) {
+        case CodeOp::LoadBit: load(CommonPlaces::ofSlot(s.value)); break;
+        case CodeOp::LoadState:
+        case CodeOp::LoadStateWord: load(CommonPlaces::ofState(s.value)); break;
+        case CodeOp::LoadRegister: load(CommonPlaces::ofRegister(s.value)); break;
+        case CodeOp::LoadMemory:
+          for (std::uint64_t k = 0; k < s.width / 8U; ++k) load(CommonPlaces::ofByte(s.area, s.value + k));
+          break;
+        case CodeOp::StoreBit: now.put(CommonPlaces::ofSlot(s.value), isStored); break;
+        case CodeOp::StoreState:
+        case CodeOp::StoreStateWord: now.put(CommonPlaces::ofState(s.value), isStored); break;
+        case CodeOp::StoreRegister: now.put(CommonPlaces::ofRegister(s.value), isStored); break;
+        case CodeOp::StoreSlots:
+          for (std::uint64_t bit = 0; bit < 8; ++bit) now.put(CommonPlaces::ofSlot(s.value + bit), false);
+          break;
+        case CodeOp::StoreMemory:
+          for (std::uint64_t k = 0; k < s.width / 8U; ++k)
+            now.put(CommonPlaces::ofByte(s.area, s.value + k), isStored && !isClearing(s, code_));
+          break;
+        case CodeOp::StoreAt: now.forget(s.area); break;
+        case CodeOp::Mark:
+          atMark[s.value].keepOnly(now);
+          now = atMark[s.value];
+          break;
+        case CodeOp::Branch:
+        case CodeOp::BranchIf:
+        case CodeOp::BranchUnless:
+          if (atMark[s.value].keepOnly(now) && markAt.at(s.value) < i) isNew = true;
+          if (s.op == CodeOp::Branch) now.isEverything = true;
+          break;
+        default: break;
+      }
+    }
+  }
+  return isNarrowed;
+}
+
+}  // namespace rungproof::lanes

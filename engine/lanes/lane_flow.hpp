@@ -1,0 +1,43 @@
+// LaneFlow: what is found out about recorded code before vector instructions are made of it: its blocks, where traces
+// may wait elsewhere meanwhile, which values other blocks use and where a value is used for the last time. Where it is
+// asked for, also which values all traces have in common: what follows from constants alone, where all of them went the
+// same way. Such a value is one number, a branch on it one jump.
+#pragma once
+
+#include <unordered_map>
+
+#include "engine/lanes/lane_layout.hpp"
+
+namespace rungproof::lanes {
+
+class LaneFlow {
+ public:
+  LaneFlow(const Code& code, const std::vector<bool>& isNeeded, bool seesCommon);
+
+  std::vector<std::uint32_t> blockOf;                   ///< by step
+  std::uint32_t lastBlock = 0;                          ///< number of it
+  std::vector<bool> isMaskedAt;                         ///< by step: traces may wait elsewhere meanwhile
+  std::vector<bool> isInLoop;                           ///< by step: of which traces may leave in different rounds
+  std::unordered_map<std::uint64_t, ValueId> markAt;    ///< by number of the mark
+  std::unordered_map<ValueId, std::size_t> goOnBehind;  ///< by branch back: row of those that go on there
+  std::unordered_map<ValueId, std::size_t> keptAt;      ///< values that other blocks use: row
+  std::size_t keptRows = 0;
+  std::vector<bool> isFolded;                     ///< negations that only And of their block uses
+  std::vector<std::vector<ValueId>> endsAt;       ///< by step: values that the block uses no more
+  std::vector<bool> isCommon;                     ///< by step: a value, or the way that a branch takes
+  std::unordered_map<std::uint64_t, bool> joins;  ///< by number of a mark: traces may wait for it
+
+ private:
+  void findBlocks();
+  void findMasks();
+  void findCommon();
+  bool narrowCommon();
+  void findKept();
+  void findFolded();
+  void findEnds();
+
+  const Code& code_;
+  const std::vector<bool>& isNeeded_;
+};
+
+}  // namespace rungproof::lanes

@@ -1,0 +1,154 @@
+// WideEmitter: recorded code as instructions of AVX-512 for groups of 64 traces. A truth value is 64 bits in a general
+// register, a bit for each trace; numbers stand in registers of 512 bits in the order of the traces, and are chosen and
+// compared by mask registers. A number that all traces have in common (LaneFlow) is one in a general register. Branches
+// are followed as LaneEmitter does, by masks of those that run; but one on a common value is a jump.
+#pragma once
+
+#include <asmjit/x86.h>
+
+#include <deque>
+#include <map>
+#include <optional>
+
+#include "engine/lanes/lane_code.hpp"
+#include "engine/lanes/lane_flow.hpp"
+#include "engine/lanes/register_pool.hpp"
+
+namespace rungproof::lanes {
+
+class WideEmitter {
+ public:
+  WideEmitter(const Code& code, const std::vector<bool>& isNeeded, LaneLayout& layout, std::deque<StepByTrace>& byTrace,
+              asmjit::CodeHolder& holder);
+  /// False: the library could not do it.
+  bool emit();
+
+ private:
+  using Gp = asmjit::x86::Gp;
+  using Zmm = asmjit::x86::Zmm;
+  using Mask = asmjit::x86::KReg;
+  using Mem = asmjit::x86::Mem;
+  using InstId = asmjit::InstId;
+  /// Numbers of all traces: registers, or places in memory.
+  struct Number {
+    Rep rep = Rep::Byte;
+    std::array<asmjit::Operand, mostPieces> piece{};
+  };
+  using Masks = std::array<Mask, mostPieces>;
+
+  // wide_emitter.cpp
+  void control(const Step& s);
+  void branchForward(const Step& s);
+  void branchBack(const Step& s);
+  void jump(const Step& s);
+  Gp takers(const Step& s);
+  void beginBlock(std::uint32_t block, std::optional<std::size_t> waiting);
+  void count(const Step& s);
+  void leave(const Step& s);
+  void checkTime();
+  void keep(ValueId id);
+
+  // wide_values.cpp
+  void value(ValueId id);
+  Gp truthOf(const Step& s);
+  Gp testBit(const Step& s);
+  Gp comparison(const Step& s);
+  Gp overflow(const Step& s);
+  Gp overflowByConstant(const Step& s, const Number& a, std::uint64_t constant);
+  Number numberOf(const Step& s);
+  Number arithmetic(const Step& s);
+  Number select(const Step& s);
+  Number shift(const Step& s);
+  Number extract(const Step& s);
+  Number join(const Step& s);
+  Number real(const Step& s);
+  Gp realTruth(const Step& s);
+  Number byTrace(const Step& s);
+
+  // wide_scalars.cpp
+  bool isScalar(ValueId id) const;
+  Gp scalar(ValueId id);
+  Gp scalarOf(const Step& s);
+  Gp scalarTruth(const Step& s);
+  Gp cutScalar(const Gp& value, int width);
+  Gp copied(const Gp& value);
+  Gp loadScalar(const Step& s);
+  Gp loadScalar(std::size_t offset, Rep rep);
+  Number broadcast(const Gp& value, Rep rep);
+
+  // wide_memory.cpp
+  Number loadMemory(const Step& s);
+  Number loadSlots(const Step& s);
+  Number together(const Number& high, const Number& low);
+  Zmm byteOf(const Number& value, std::uint32_t k);
+  void store(const Step& s);
+  void storeRow(Row row, ValueId id);
+  void storeTruth(std::size_t offset, const Gp& value);
+  void storeNumber(std::size_t offset, const Number& value);
+  void storePiece(const Mem& to, const Zmm& value, Rep rep, const Mask* mask);
+  void storeMemory(const Step& s);
+  void storeSlots(const Step& s);
+  void beforeCall();
+  void callByTrace(const StepByTrace& by, Rep rep);
+  Gp commonPlace(const Step& s, const asmjit::Label& differ);
+  Number loadAt(const Step& s);
+  void storeAt(const Step& s);
+  Mem placeAt(const Gp& place, Area area, std::uint32_t byte);
+
+  // wide_vectors.cpp
+  Gp freshGp();
+  Zmm freshZmm();
+  Mask freshMask();
+  /// A truth value, or the lowest bit of a number; in a register, or where it stands in memory.
+  Gp truth(ValueId id);
+  asmjit::Operand truthSource(ValueId id);
+  Gp writable(ValueId id);
+  Number number(ValueId id, Rep rep);
+  Number made(ValueId id);
+  Masks masksOf(ValueId id, Rep rep);
+  Masks masksFrom(const asmjit::Operand& truth, Rep rep);
+  Gp truthFrom(const Masks& masks, Rep rep);
+  Zmm inRegister(const asmjit::Operand& piece);
+  Number each(InstId id, const Number& a, const Number& b);
+  Masks compared(InstId id, const Number& a, const Number& b, std::uint32_t how);
+  Number constant(std::uint64_t value, Rep rep);
+  Number loaded(Row row);
+  Number widened(const Number& value);
+  Number narrowed(const Number& value);
+  Number cut(const Number& value, int width);
+  Number shifted(const Number& value, bool isLeft, std::uint32_t count);
+  Mem at(std::size_t offset, std::uint32_t bytes = wideBytes);
+  void holdTruth(ValueId id, const Gp& value);
+  void holdScalar(ValueId id, const Gp& value);
+  void holdNumber(ValueId id, const Number& value);
+  void holdMasks(ValueId id, Rep rep, const Masks& masks);
+  void release();
+  void forgetAll();
+  void drop(const Number& value);
+  /// Values that are read from a place in memory each time are loaded before it is written.
+  void beforeStore(std::size_t first, std::size_t count);
+
+  const Code& code_;
+  const std::vector<bool>& isNeeded_;
+  LaneLayout& layout_;
+  std::deque<StepByTrace>& byTrace_;
+  asmjit::x86::Compiler c_;
+  const LaneFlow flow_;
+  Gp rows_;
+  Gp position_;  ///< time that this scan has taken at most, 10 ns
+  Gp active_;    ///< traces that run; not of straight code
+
+  RegisterPool<Gp> gps_;
+  RegisterPool<Zmm> zmms_;
+  RegisterPool<Mask> maskPool_;
+  std::unordered_map<ValueId, Gp> truths_, scalars_;
+  std::unordered_map<std::uint64_t, Number> numbers_;  ///< by value and form
+  std::unordered_map<std::uint64_t, Masks> masks_;     ///< by value and form
+  std::unordered_map<ValueId, std::size_t> slotOf_;    ///< truth values that stand in memory
+  std::multimap<std::size_t, ValueId> readAt_;         ///< values by the place where they stand
+  std::unordered_map<std::uint64_t, ValueId> sums_;    ///< by operands: Add or Sub of this block
+  std::vector<asmjit::Label> labels_;                  ///< by block, and one behind the last
+  ValueId step_ = 0;                                   ///< that is being emitted
+};
+
+}  // namespace rungproof::lanes

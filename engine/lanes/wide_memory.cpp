@@ -1,0 +1,272 @@
+// State in rows: what is read and written under the mask of the traces that run, and places found by computed
+// addresses. Where all traces have the same address, which they mostly do, it is one row behind the other.
+#include "engine/lanes/wide_emitter.hpp"
+#include "ir/check.hpp"
+
+namespace rungproof::lanes {
+
+using namespace asmjit;  // its Operand: by its full name
+namespace Inst = x86::Inst;
+
+namespace {
+
+constexpr std::array<InstId, 4> wideStores = {Inst::kIdVmovdqu8, Inst::kIdVmovdqu16, Inst::kIdVmovdqa32,
+                                              Inst::kIdVmovdqa64};
+
+}  // namespace
+
+void WideEmitter::storePiece(const Mem& to, const Zmm& value, Rep rep, const Mask* mask) {
+  if (mask != nullptr) c_.k(*mask);
+  c_.emit(mask == nullptr ? InstId{Inst::kIdVmovdqa64} : wideStores[static_cast<std::size_t>(rep) - 1], to, value);
+}
+
+/// Under the mask: traces that wait elsewhere keep what they have.
+void WideEmitter::storeTruth(std::size_t offset, const Gp& value) {
+  const Mem to = at(offset, wideTruthBytes);
+  const Gp all = freshGp();
+  c_.mov(all, value);
+  c_.xor_(all, to);
+  c_.and_(all, active_);
+  c_.xor_(to, all);
+}
+void WideEmitter::storeNumber(std::size_t offset, const Number& value) {
+  const Masks masks = masksFrom(active_, value.rep);
+  for (std::size_t i = 0; i < pieceCount(value.rep); ++i)
+    storePiece(at(offset + wideBytes * i), inRegister(value.piece[i]), value.rep, &masks[i]);
+}
+
+void WideEmitter::storeRow(Row row, ValueId id) {
+  const bool isMasked = flow_.isMaskedAt[step_];
+  if (row.rep == Rep::Truth) {
+    beforeStore(row.at, wideTruthBytes);
+    if (isMasked) return storeTruth(row.at, truth(id));
+    c_.mov(at(row.at, wideTruthBytes), truth(id));
+    return;
+  }
+  const Number value = number(id, row.rep);
+  beforeStore(row.at, wideBytes * pieceCount(row.rep));
+  if (isMasked) return storeNumber(row.at, value);
+  for (std::size_t i = 0; i < pieceCount(row.rep); ++i)
+    storePiece(at(row.at + wideBytes * i), inRegister(value.piece[i]), row.rep, nullptr);
+}
+
+void WideEmitter::store(const Step& s) {
+  switch (s.op) {
+    case CodeOp::StoreBit: return storeRow({layout_.slot(s.value), Rep::Truth}, s.a);
+    case CodeOp::StoreState:
+    case CodeOp::StoreStateWord: return storeRow(layout_.state(s.value), s.a);
+    case CodeOp::StoreRegister: return storeRow(*layout_.reg(s.value), s.a);
+    case CodeOp::StoreMemory: return storeMemory(s);
+    case CodeOp::StoreSlots: return storeSlots(s);
+    default: return storeAt(s);
+  }
+}
+
+/// Two numbers as one of twice the width.
+WideEmitter::Number WideEmitter::together(const Number& high, const Number& low) {
+  const Number wideLow = widened(low);
+  return each(Inst::kIdVporq, shifted(widened(high), true, static_cast<std::uint32_t>(bitsOf(low.rep))), wideLow);
+}
+
+/// Byte number `k` of numbers, 0 the lowest.
+x86::Zmm WideEmitter::byteOf(const Number& value, std::uint32_t k) {
+  Number byte = k == 0 ? value : shifted(value, false, 8 * k);
+  while (byte.rep > Rep::Byte) byte = narrowed(byte);
+  return inRegister(byte.piece[0]);
+}
+
+WideEmitter::Number WideEmitter::loadMemory(const Step& s) {
+  const auto byte = static_cast<std::uint32_t>(s.value);
+  const int bytes = s.width / 8;
+  if (const auto row = layout_.cell(s.area, byte, bytes)) return loaded(*row);
+  const auto single = [&](std::uint32_t k) {
+    const auto row = layout_.cell(s.area, byte + k, 1);
+    CHECK(row.has_value(), "a byte without a row");
+    return loaded(*row);
+  };
+  CHECK(bytes == 2 || bytes == 4, "a width that no instruction has");
+  const Number first = together(single(0), single(1));
+  return bytes == 2 ? first : together(first, together(single(2), single(3)));
+}
+
+void WideEmitter::storeMemory(const Step& s) {
+  const auto byte = static_cast<std::uint32_t>(s.value);
+  const int bytes = s.width / 8;
+  if (isClearing(s, code_)) {
+    for (int k = 0; k < bytes; ++k) {
+      for (const int size : {1, 2, 4}) {
+        const auto row = layout_.cell(s.area, byte + static_cast<std::uint32_t>(k), size);
+        if (row) storeRow(*row, s.a);
+      }
+    }
+    return;
+  }
+  if (const auto row = layout_.cell(s.area, byte, bytes)) return storeRow(*row, s.a);
+  const Number value = isScalar(s.a) ? Number{} : number(s.a, repFor(s.width));
+  for (int k = 0; k < bytes; ++k) {
+    const auto row = layout_.cell(s.area, byte + static_cast<std::uint32_t>(k), 1);
+    CHECK(row.has_value(), "a byte without a row");
+    const auto number = static_cast<std::uint32_t>(bytes - 1 - k);
+    Zmm own;
+    if (isScalar(s.a)) {
+      const Gp part = copied(scalar(s.a));
+      if (number > 0) c_.shr(part, imm(8 * number));
+      own = broadcast(part, Rep::Byte).piece[0].as<Zmm>();
+    } else {
+      own = byteOf(value, number);
+    }
+    beforeStore(row->at, wideBytes);
+    const Masks masks = flow_.isMaskedAt[step_] ? masksFrom(active_, Rep::Byte) : Masks{};
+    storePiece(at(row->at), own, Rep::Byte, flow_.isMaskedAt[step_] ? &masks[0] : nullptr);
+  }
+}
+
+WideEmitter::Number WideEmitter::loadSlots(const Step& s) {
+  const Zmm byte = freshZmm();
+  for (std::uint64_t bit = 0; bit < 8; ++bit) {
+    const Mask on = freshMask();
+    c_.kmovq(on, at(layout_.slot(s.value + bit), wideTruthBytes));
+    const asmjit::Operand own = constant(1ULL << bit, Rep::Byte).piece[0];
+    if (bit == 0)
+      c_.k(on).z().emit(Inst::kIdVmovdqu8, byte, own);
+    else
+      c_.k(on).emit(Inst::kIdVpaddb, byte, byte, own);
+  }
+  Number value{Rep::Byte};
+  value.piece[0] = byte;
+  return value;
+}
+
+void WideEmitter::storeSlots(const Step& s) {
+  const Step& given = code_.steps[s.a];
+  for (std::uint64_t bit = 0; bit < 8; ++bit) {
+    const std::size_t offset = layout_.slot(s.value + bit);
+    Gp on;
+    if (given.op == CodeOp::Constant) {
+      on = truth((given.value >> bit & 1) != 0 ? 1 : 0);
+    } else {
+      const Mask own = freshMask();
+      c_.emit(Inst::kIdVptestmb, own, inRegister(number(s.a, Rep::Byte).piece[0]),
+              constant(1ULL << bit, Rep::Byte).piece[0]);
+      on = freshGp();
+      c_.kmovq(on, own);
+    }
+    beforeStore(offset, wideTruthBytes);
+    if (flow_.isMaskedAt[step_])
+      storeTruth(offset, on);
+    else
+      c_.mov(at(offset, wideTruthBytes), on);
+  }
+}
+
+/// Mask registers do not outlast a call: what stands in them only is brought to general ones.
+void WideEmitter::beforeCall() {
+  for (const auto& [key, masks] : masks_) truth(static_cast<ValueId>(key >> 3));
+  for (const auto& [key, masks] : masks_) {
+    for (std::size_t i = 0; i < pieceCount(static_cast<Rep>(key & 7)); ++i) maskPool_.drop(masks[i]);
+  }
+  masks_.clear();
+}
+
+void WideEmitter::callByTrace(const StepByTrace& by, Rep rep) {
+  if (!code_.isStraight) c_.mov(at(layout_.active(), wideTruthBytes), active_);
+  InvokeNode* call = nullptr;
+  c_.invoke(&call, imm(reinterpret_cast<std::uintptr_t>(&doByTrace)),
+            FuncSignatureT<void, const void*, const void*, void*, std::uint64_t>());
+  call->setArg(0, imm(reinterpret_cast<std::uintptr_t>(&by)));
+  call->setArg(1, imm(reinterpret_cast<std::uintptr_t>(&layout_)));
+  call->setArg(2, rows_);
+  call->setArg(3, imm(static_cast<std::uint64_t>(rep)));
+}
+
+/// Where all traces that run have the same address, gives where its first row stands from rows_ on, and goes on behind
+/// this; else at `differ`. The addresses then stand in the first scratch row.
+x86::Gp WideEmitter::commonPlace(const Step& s, const Label& differ) {
+  const ReachedRows& reached = layout_.reached(s.area);
+  const auto bytes = s.width / 8U;
+  Gp place = freshGp();
+  if (isScalar(s.a)) {
+    c_.mov(place, scalar(s.a));
+  } else {
+    beforeCall();
+    const Number address = number(s.a, Rep::Double);
+    const Gp active = freshGp();
+    if (code_.isStraight)
+      c_.mov(active, at(layout_.active(), wideTruthBytes));
+    else
+      c_.mov(active, active_);
+    Number held{Rep::Double};
+    for (std::size_t i = 0; i < pieceCount(Rep::Double); ++i) {
+      held.piece[i] = inRegister(address.piece[i]);
+      c_.vmovdqa64(at(layout_.scratch(0) + wideBytes * i), held.piece[i].as<Zmm>());
+    }
+    c_.tzcnt(place, active);
+    c_.and_(place.r32(), 63);  // nobody runs: any
+    c_.mov(place.r32(), x86::ptr(rows_, place, 2, static_cast<std::int32_t>(layout_.scratch(0)), 4));
+    const Number all = broadcast(place, Rep::Double);
+    const Gp same = truthFrom(compared(Inst::kIdVpcmpd, held, all, 0), Rep::Double);
+    c_.andn(same, same, active);
+    c_.jnz(differ);
+  }
+  c_.sub(place, imm(static_cast<std::int64_t>(reached.first) - static_cast<std::int64_t>(s.value)));
+  c_.cmp(place, imm(reached.count < bytes ? 0 : reached.count - bytes));
+  c_.ja(differ);
+  c_.shl(place, 6);
+  return place;
+}
+
+x86::Mem WideEmitter::placeAt(const Gp& place, Area area, std::uint32_t byte) {
+  return x86::ptr(rows_, place, 0, static_cast<std::int32_t>(layout_.reached(area).at + wideBytes * byte), wideBytes);
+}
+
+WideEmitter::Number WideEmitter::loadAt(const Step& s) {
+  const Rep rep = repFor(s.width);
+  const Label differ = c_.newLabel(), done = c_.newLabel();
+  Number value{rep};
+  for (std::size_t i = 0; i < pieceCount(rep); ++i) value.piece[i] = freshZmm();
+  const Gp place = commonPlace(s, differ);
+  const auto single = [&](std::uint32_t k) {
+    Number byte{Rep::Byte};
+    byte.piece[0] = placeAt(place, s.area, k);
+    return byte;
+  };
+  const int bytes = s.width / 8;
+  const Number common = bytes == 1   ? single(0)
+                        : bytes == 2 ? together(single(0), single(1))
+                                     : together(together(single(0), single(1)), together(single(2), single(3)));
+  for (std::size_t i = 0; i < pieceCount(rep); ++i) c_.emit(Inst::kIdVmovdqa64, value.piece[i], common.piece[i]);
+  c_.jmp(done);
+  c_.bind(differ);
+  if (!isScalar(s.a)) {
+    callByTrace(byTrace_.emplace_back(StepByTrace{s, layout_.reached(s.area)}), rep);
+    for (std::size_t i = 0; i < pieceCount(rep); ++i)
+      c_.emit(Inst::kIdVmovdqa64, value.piece[i], at(layout_.scratch(2) + wideBytes * i));
+  }
+  c_.bind(done);
+  return value;
+}
+
+void WideEmitter::storeAt(const Step& s) {
+  const Rep rep = repFor(s.width);
+  const Label differ = c_.newLabel(), done = c_.newLabel();
+  const ReachedRows& reached = layout_.reached(s.area);
+  Number value = number(s.b, rep);
+  for (std::size_t i = 0; i < pieceCount(rep); ++i) value.piece[i] = inRegister(value.piece[i]);
+  beforeStore(reached.at, wideBytes * reached.count);
+  const Gp place = commonPlace(s, differ);
+  const std::uint32_t bytes = s.width / 8U;
+  const bool isMasked = flow_.isMaskedAt[step_];
+  const Masks masks = isMasked ? masksFrom(active_, Rep::Byte) : Masks{};
+  for (std::uint32_t k = 0; k < bytes; ++k)
+    storePiece(placeAt(place, s.area, k), byteOf(value, bytes - 1 - k), Rep::Byte, isMasked ? &masks[0] : nullptr);
+  c_.jmp(done);
+  c_.bind(differ);
+  if (!isScalar(s.a)) {
+    for (std::size_t i = 0; i < pieceCount(rep); ++i)
+      c_.emit(Inst::kIdVmovdqa64, at(layout_.scratch(1) + wideBytes * i), value.piece[i]);
+    callByTrace(byTrace_.emplace_back(StepByTrace{s, reached}), rep);
+  }
+  c_.bind(done);
+}
+
+}  // namespace rungproof::lanes

@@ -1,0 +1,385 @@
+// Values in registers of 512 bits, in mask registers and in general ones: what is held where, and from form to form.
+#include <cstring>
+
+#include "engine/lanes/wide_emitter.hpp"
+#include "ir/check.hpp"
+
+namespace rungproof::lanes {
+
+using namespace asmjit;  // its Operand: by its full name
+namespace Inst = x86::Inst;
+
+namespace {
+
+Rep formAbove(Rep rep) { return static_cast<Rep>(static_cast<int>(rep) + 1); }
+Rep formBelow(Rep rep) { return static_cast<Rep>(static_cast<int>(rep) - 1); }
+std::uint64_t wideKey(ValueId id, Rep rep) { return std::uint64_t{id} << 3 | static_cast<std::uint64_t>(rep); }
+std::size_t indexOf(Rep rep) { return static_cast<std::size_t>(rep) - 1; }
+
+}  // namespace
+
+x86::Gp WideEmitter::freshGp() {
+  return gps_.take([&] { return c_.newGpq(); });
+}
+x86::Zmm WideEmitter::freshZmm() {
+  return zmms_.take([&] { return c_.newZmm(); });
+}
+x86::KReg WideEmitter::freshMask() {
+  return maskPool_.take([&] { return c_.newKq(); });
+}
+
+// ---- What is held -------------------------------------------------------------------------------------
+
+void WideEmitter::holdTruth(ValueId id, const Gp& value) {
+  if (truths_.try_emplace(id, value).second) gps_.hold(value);
+}
+void WideEmitter::holdScalar(ValueId id, const Gp& value) {
+  if (scalars_.try_emplace(id, value).second) gps_.hold(value);
+}
+void WideEmitter::holdNumber(ValueId id, const Number& value) {
+  if (!numbers_.try_emplace(wideKey(id, value.rep), value).second) return;
+  for (std::size_t i = 0; i < pieceCount(value.rep); ++i) {
+    if (value.piece[i].isReg()) zmms_.hold(value.piece[i].as<Zmm>());
+  }
+}
+void WideEmitter::holdMasks(ValueId id, Rep rep, const Masks& masks) {
+  if (!masks_.try_emplace(wideKey(id, rep), masks).second) return;
+  for (std::size_t i = 0; i < pieceCount(rep); ++i) maskPool_.hold(masks[i]);
+}
+void WideEmitter::drop(const Number& value) {
+  for (std::size_t i = 0; i < pieceCount(value.rep); ++i) {
+    if (value.piece[i].isReg()) zmms_.drop(value.piece[i].as<Zmm>());
+  }
+}
+
+/// Behind a step: what nobody needs any more is free.
+void WideEmitter::release() {
+  for (const ValueId id : flow_.endsAt[step_]) {
+    for (auto* held : {&truths_, &scalars_}) {
+      if (const auto found = held->find(id); found != held->end()) {
+        gps_.drop(found->second);
+        held->erase(found);
+      }
+    }
+    slotOf_.erase(id);
+    for (int r = static_cast<int>(Rep::Byte); r <= static_cast<int>(Rep::Quad); ++r) {
+      const std::uint64_t key = wideKey(id, static_cast<Rep>(r));
+      if (const auto found = numbers_.find(key); found != numbers_.end()) {
+        drop(found->second);
+        numbers_.erase(found);
+      }
+      if (const auto found = masks_.find(key); found != masks_.end()) {
+        for (std::size_t i = 0; i < pieceCount(static_cast<Rep>(r)); ++i) maskPool_.drop(found->second[i]);
+        masks_.erase(found);
+      }
+    }
+  }
+  gps_.endStep();
+  zmms_.endStep();
+  maskPool_.endStep();
+}
+
+void WideEmitter::forgetAll() {
+  truths_.clear();
+  scalars_.clear();
+  numbers_.clear();
+  masks_.clear();
+  slotOf_.clear();
+  readAt_.clear();
+  sums_.clear();
+  gps_.clear();
+  zmms_.clear();
+  maskPool_.clear();
+}
+
+void WideEmitter::beforeStore(std::size_t first, std::size_t count) {
+  const auto begin = readAt_.lower_bound(first), end = readAt_.lower_bound(first + count);
+  for (auto entry = begin; entry != end; ++entry) {
+    const ValueId id = entry->second;
+    if (slotOf_.contains(id)) {
+      truth(id);
+      slotOf_.erase(id);
+    }
+    const auto found = numbers_.find(wideKey(id, repFor(widthOf(code_.steps[id]))));
+    if (found == numbers_.end() || found->second.piece[0].isReg()) continue;
+    Number& value = found->second;
+    for (std::size_t i = 0; i < pieceCount(value.rep); ++i) {
+      value.piece[i] = inRegister(value.piece[i]);
+      zmms_.hold(value.piece[i].as<Zmm>());
+    }
+  }
+  readAt_.erase(begin, end);
+}
+
+// ---- Truth values ---------------------------------------------------------------------------------------
+
+asmjit::Operand WideEmitter::truthSource(ValueId id) {
+  const auto slot = slotOf_.find(id);
+  if (slot != slotOf_.end() && !truths_.contains(id)) return at(slot->second, wideTruthBytes);
+  return truth(id);
+}
+
+x86::Gp WideEmitter::truth(ValueId id) {
+  const Step& s = code_.steps[id];
+  if (const auto found = truths_.find(id); found != truths_.end()) return found->second;
+  Gp value;
+  const Rep own = s.op == CodeOp::Constant ? Rep::Truth : repFor(widthOf(s));
+  if (s.op == CodeOp::False || s.op == CodeOp::True || s.op == CodeOp::Constant) {
+    value = freshGp();
+    const bool isOn = s.op == CodeOp::True || (s.op == CodeOp::Constant && (s.value & 1) != 0);
+    if (isOn)
+      c_.mov(value, -1);
+    else
+      c_.xor_(value.r32(), value.r32());
+    return value;
+  }
+  if (const auto slot = slotOf_.find(id); slot != slotOf_.end()) {
+    value = freshGp();
+    c_.mov(value, at(slot->second, wideTruthBytes));
+  } else if (own == Rep::Truth) {
+    for (int r = static_cast<int>(Rep::Byte); r <= static_cast<int>(Rep::Quad) && !value.isValid(); ++r) {
+      const auto masks = masks_.find(wideKey(id, static_cast<Rep>(r)));
+      if (masks != masks_.end()) value = truthFrom(masks->second, static_cast<Rep>(r));
+    }
+    if (!value.isValid()) {
+      const auto kept = flow_.keptAt.find(id);
+      CHECK(kept != flow_.keptAt.end(), "a value that no block has made");
+      value = freshGp();
+      c_.mov(value, at(layout_.kept(kept->second), wideTruthBytes));
+    }
+  } else if (isScalar(id)) {
+    value = copied(scalar(id));
+    c_.and_(value.r32(), 1);
+    c_.neg(value);
+  } else {
+    const Number bits = made(id);
+    static constexpr std::array<InstId, 4> tests = {Inst::kIdVptestmb, Inst::kIdVptestmw, Inst::kIdVptestmd,
+                                                    Inst::kIdVptestmq};
+    const Number one = constant(1, bits.rep);
+    Masks masks;
+    for (std::size_t i = 0; i < pieceCount(bits.rep); ++i) {
+      masks[i] = freshMask();
+      c_.emit(tests[indexOf(bits.rep)], masks[i], inRegister(bits.piece[i]), one.piece[i]);
+    }
+    value = truthFrom(masks, bits.rep);
+  }
+  holdTruth(id, value);
+  return value;
+}
+
+/// A register with a truth value that may be changed: its own where it is used for the last time.
+x86::Gp WideEmitter::writable(ValueId id) {
+  const auto found = truths_.find(id);
+  const auto& ends = flow_.endsAt[step_];
+  const bool isLast = found != truths_.end() && gps_.holders(found->second) == 1 &&
+                      std::find(ends.begin(), ends.end(), id) != ends.end();
+  if (isLast) return found->second;
+  const Gp to = freshGp();
+  c_.emit(Inst::kIdMov, to, truthSource(id));
+  return to;
+}
+
+WideEmitter::Masks WideEmitter::masksOf(ValueId id, Rep rep) {
+  if (const auto found = masks_.find(wideKey(id, rep)); found != masks_.end()) return found->second;
+  const Masks masks = masksFrom(truthSource(id), rep);
+  holdMasks(id, rep, masks);
+  return masks;
+}
+
+/// Each register of numbers has its part of the bits.
+WideEmitter::Masks WideEmitter::masksFrom(const asmjit::Operand& truth, Rep rep) {
+  static constexpr std::array<InstId, 4> moves = {Inst::kIdKmovq, Inst::kIdKmovd, Inst::kIdKmovw, Inst::kIdKmovb};
+  const InstId move = moves[indexOf(rep)];
+  const auto bytes = static_cast<std::uint32_t>(wideTruthBytes / pieceCount(rep));
+  Masks masks;
+  for (std::size_t i = 0; i < pieceCount(rep); ++i) {
+    masks[i] = freshMask();
+    if (truth.isMem()) {
+      Mem part = truth.as<Mem>().cloneAdjusted(static_cast<std::int64_t>(i * bytes));
+      part.setSize(bytes);
+      c_.emit(move, masks[i], part);
+      continue;
+    }
+    Gp part = truth.as<Gp>();
+    if (i > 0) {
+      part = freshGp();
+      c_.rorx(part, truth.as<Gp>(), imm(8 * bytes * i));
+    }
+    if (rep == Rep::Byte)
+      c_.emit(move, masks[i], part);
+    else
+      c_.emit(move, masks[i], part.r32());
+  }
+  return masks;
+}
+
+x86::Gp WideEmitter::truthFrom(const Masks& masks, Rep rep) {
+  static constexpr std::array<InstId, 3> unpack = {Inst::kIdKunpckbw, Inst::kIdKunpckwd, Inst::kIdKunpckdq};
+  std::array<Mask, mostPieces> parts = masks;
+  std::size_t count = pieceCount(rep);
+  for (std::size_t level = rep == Rep::Quad ? 0 : rep == Rep::Double ? 1 : 2; count > 1; ++level, count /= 2) {
+    for (std::size_t i = 0; i < count / 2; ++i) {
+      const Mask both = freshMask();
+      c_.emit(unpack[level], both, parts[2 * i + 1], parts[2 * i]);
+      parts[i] = both;
+    }
+  }
+  const Gp value = freshGp();
+  const Mask here = rep == Rep::Byte ? freshMask() : parts[0];  // the library takes a spilled one from memory in vain
+  if (rep == Rep::Byte) c_.kmovq(here, parts[0]);
+  c_.kmovq(value, here);
+  return value;
+}
+
+// ---- Numbers --------------------------------------------------------------------------------------------
+
+x86::Mem WideEmitter::at(std::size_t offset, std::uint32_t bytes) {
+  return x86::ptr(rows_, static_cast<std::int32_t>(offset), bytes);
+}
+
+x86::Zmm WideEmitter::inRegister(const asmjit::Operand& piece) {
+  if (piece.isReg()) return piece.as<Zmm>();
+  const Zmm reg = freshZmm();
+  c_.vmovdqa64(reg, piece.as<Mem>());
+  return reg;
+}
+
+WideEmitter::Number WideEmitter::each(InstId id, const Number& a, const Number& b) {
+  Number to{a.rep};
+  for (std::size_t i = 0; i < pieceCount(a.rep); ++i) {
+    const Zmm result = freshZmm();
+    c_.emit(id, result, inRegister(a.piece[i]), b.piece[i]);
+    to.piece[i] = result;
+  }
+  return to;
+}
+
+WideEmitter::Masks WideEmitter::compared(InstId id, const Number& a, const Number& b, std::uint32_t how) {
+  Masks masks;
+  for (std::size_t i = 0; i < pieceCount(a.rep); ++i) {
+    masks[i] = freshMask();
+    c_.emit(id, masks[i], inRegister(a.piece[i]), b.piece[i], imm(how));
+  }
+  return masks;
+}
+
+/// The same number for every trace.
+WideEmitter::Number WideEmitter::constant(std::uint64_t value, Rep rep) {
+  Number all{rep};
+  asmjit::Operand source;
+  if (value == 0) {
+    const Zmm zero = freshZmm();
+    c_.vpxord(zero, zero, zero);
+    source = zero;
+  } else {
+    std::array<std::uint8_t, wideBytes> row;
+    const std::size_t bytes = static_cast<std::size_t>(bitsOf(rep)) / 8;
+    for (std::size_t i = 0; i < wideBytes; i += bytes) std::memcpy(row.data() + i, &value, bytes);
+    source = c_.newConst(ConstPoolScope::kGlobal, row.data(), wideBytes);
+  }
+  for (std::size_t i = 0; i < pieceCount(rep); ++i) all.piece[i] = source;
+  return all;
+}
+
+WideEmitter::Number WideEmitter::loaded(Row row) {
+  Number value{row.rep};
+  for (std::size_t i = 0; i < pieceCount(row.rep); ++i) value.piece[i] = at(row.at + wideBytes * i);
+  return value;
+}
+
+WideEmitter::Number WideEmitter::widened(const Number& value) {
+  static constexpr std::array<InstId, 3> extend = {Inst::kIdVpmovzxbw, Inst::kIdVpmovzxwd, Inst::kIdVpmovzxdq};
+  Number to{formAbove(value.rep)};
+  for (std::size_t i = 0; i < pieceCount(value.rep); ++i) {
+    const Zmm low = freshZmm(), high = freshZmm(), upper = freshZmm();
+    const Zmm from = inRegister(value.piece[i]);
+    c_.emit(extend[indexOf(value.rep)], low, from.ymm());
+    c_.vextracti64x4(upper.ymm(), from, imm(1));
+    c_.emit(extend[indexOf(value.rep)], high, upper.ymm());
+    to.piece[2 * i] = low;
+    to.piece[2 * i + 1] = high;
+  }
+  return to;
+}
+
+/// What has no room in the narrower form is cut off.
+WideEmitter::Number WideEmitter::narrowed(const Number& value) {
+  static constexpr std::array<InstId, 3> truncate = {Inst::kIdVpmovwb, Inst::kIdVpmovdw, Inst::kIdVpmovqd};
+  const InstId id = truncate[indexOf(value.rep) - 1];
+  Number to{formBelow(value.rep)};
+  for (std::size_t i = 0; i < pieceCount(to.rep); ++i) {
+    const Zmm low = freshZmm(), high = freshZmm(), both = freshZmm();
+    c_.emit(id, low.ymm(), inRegister(value.piece[2 * i]));
+    c_.emit(id, high.ymm(), inRegister(value.piece[2 * i + 1]));
+    c_.vinserti64x4(both, low, high.ymm(), imm(1));
+    to.piece[i] = both;
+  }
+  return to;
+}
+
+WideEmitter::Number WideEmitter::cut(const Number& value, int width) {
+  return width >= bitsOf(value.rep) ? value : each(Inst::kIdVpandq, value, constant(Concrete::mask(width), value.rep));
+}
+
+WideEmitter::Number WideEmitter::shifted(const Number& value, bool isLeft, std::uint32_t count) {
+  static constexpr std::array<std::array<InstId, 2>, 3> shifts = {
+      {{Inst::kIdVpsrlw, Inst::kIdVpsllw}, {Inst::kIdVpsrld, Inst::kIdVpslld}, {Inst::kIdVpsrlq, Inst::kIdVpsllq}}};
+  CHECK(value.rep >= Rep::Word, "bytes are shifted as words");
+  Number to{value.rep};
+  for (std::size_t i = 0; i < pieceCount(value.rep); ++i) {
+    const Zmm result = freshZmm();
+    c_.emit(shifts[indexOf(value.rep) - 1][isLeft ? 1 : 0], result, inRegister(value.piece[i]), imm(count));
+    to.piece[i] = result;
+  }
+  return to;
+}
+
+/// As it was made, or as an earlier block kept it.
+WideEmitter::Number WideEmitter::made(ValueId id) {
+  const Step& s = code_.steps[id];
+  if (s.op == CodeOp::Constant) return constant(s.value, std::max(Rep::Byte, repFor(s.width)));
+  const Rep rep = repFor(widthOf(s));
+  if (rep == Rep::Truth) return number(id, Rep::Byte);
+  const auto found = numbers_.find(wideKey(id, rep));
+  if (found != numbers_.end()) return found->second;
+  Number value;
+  if (isScalar(id)) {
+    value = broadcast(scalar(id), rep);
+  } else {
+    const auto kept = flow_.keptAt.find(id);
+    CHECK(kept != flow_.keptAt.end(), "a value that no block has made");
+    value = loaded({layout_.kept(kept->second), rep});
+  }
+  holdNumber(id, value);
+  return value;
+}
+
+WideEmitter::Number WideEmitter::number(ValueId id, Rep rep) {
+  const Step& s = code_.steps[id];
+  CHECK(rep != Rep::Truth, "a truth value is no number");
+  if (s.op == CodeOp::Constant) return constant(s.value, rep);
+  const Rep own = repFor(widthOf(s));
+  if (own == rep) return made(id);
+  const auto found = numbers_.find(wideKey(id, rep));
+  if (found != numbers_.end()) return found->second;
+  Number value{rep};
+  if (own == Rep::Truth) {
+    static constexpr std::array<InstId, 4> moves = {Inst::kIdVmovdqu8, Inst::kIdVmovdqu16, Inst::kIdVmovdqa32,
+                                                    Inst::kIdVmovdqa64};
+    const Masks masks = masksOf(id, rep);
+    const Number one = constant(1, rep);
+    for (std::size_t i = 0; i < pieceCount(rep); ++i) {
+      const Zmm to = freshZmm();
+      c_.k(masks[i]).z().emit(moves[indexOf(rep)], to, one.piece[i]);
+      value.piece[i] = to;
+    }
+  } else if (isScalar(id)) {
+    value = broadcast(scalar(id), rep);
+  } else {
+    value = rep > own ? widened(number(id, formBelow(rep))) : narrowed(number(id, formAbove(rep)));
+  }
+  holdNumber(id, value);
+  return value;
+}
+
+}  // namespace rungproof::lanes
