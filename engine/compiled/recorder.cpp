@@ -274,6 +274,8 @@ Recorder::Bits Recorder::extract(Bits a, int high, int low) {
     return step.op == CodeOp::BitAnd ? band(a, b, w) : step.op == CodeOp::BitOr ? bor(a, b, w) : bxor(a, b, w);
   }
   if (step.op == CodeOp::Signed && high < static_cast<int>(step.value)) return extract({step.a}, high, low);
+  if (step.op == CodeOp::Select && code.isWholeScan && (at(step.b).op == CodeOp::Join || at(step.c).op == CodeOp::Join))
+    return select({step.a}, extract({step.b}, high, low), extract({step.c}, high, low), w);
   if (const auto sum = narrowSum(a); sum && low == 0 && w <= sum->width)
     return extract(word(step.op, sum->width, sum->a, sum->b), high, low);
   if (step.op == CodeOp::Extract) {

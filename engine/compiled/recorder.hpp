@@ -130,6 +130,8 @@ class Recorder {
   /// Which runs must find that byte of local memory written that those of `guard` write: what a call that a run does
   /// not take leaves in the memory of its block, nobody reads.
   Bool guardOfLocal(Bool guard, std::uint32_t byte);
+  /// A number as runs of the guard see it.
+  Bits ofGuard(Bits number) const;
 
   // ---- Steps -----------------------------------------------------------------------------------------
   ValueId add(const Step& step);
@@ -193,8 +195,11 @@ class Recorder {
     ValueId unless;
   };
   std::optional<NumberTest> numberTest(ValueId id) const;
+  Bool chosen(Bool c, Bool a, Bool b);
+  std::optional<bool> impliedBy(ValueId condition, ValueId asked) const;
   std::optional<Bool> oneTest(ValueId condition, ValueId on, ValueId off);
 
+  Bits safe(Bits address);
   Bits loadPlace(Area area, Bits address, int width);
   void savePlace(Area area, Bits address, int width, Bits value);
 

@@ -55,14 +55,20 @@ Recorder::Bool Recorder::targets(Machine<Recorder>& machine, Bits pointer, Width
   const Bool isOutside = ult(literal(size - wide, 32), offset, 32);
   reaches(Area::V, 0, size, false);
   ref.isComputed = true;
-  ref.value = code.isStraight ? select(isOutside, literal(0, 32), offset, 32) : offset;
+  ref.value = code.isStraight && !code.isWholeScan ? select(isOutside, literal(0, 32), offset, 32) : offset;
   leave(land(*guard, isOutside));
   return constant(true);
 }
 
+/// An address where runs that do not make the access have one too. Code of many traces bears any address, and takes
+/// longer where they differ.
+Recorder::Bits Recorder::safe(Bits address) {
+  return code.isWholeScan ? address : select(*guard, address, literal(0, 32), 32);
+}
+
 Recorder::Bits Recorder::loadAt(const Ref<Recorder>& ref, int element, Width width) {
   if (element != 0) return cannotFollow(bits(width));
-  return loadPlace(Area::V, select(*guard, ref.value, literal(0, 32), 32), bits(width));
+  return loadPlace(Area::V, safe(ref.value), bits(width));
 }
 
 void Recorder::saveAt(const Ref<Recorder>& ref, int element, Width width, Bits value) {
@@ -71,8 +77,7 @@ void Recorder::saveAt(const Ref<Recorder>& ref, int element, Width width, Bits v
     return;
   }
   const Bits written = truth(*guard) == true ? value : select(*guard, value, loadAt(ref, 0, width), bits(width));
-  const Bits safe = select(*guard, ref.value, literal(0, 32), 32);
-  savePlace(Area::V, safe, bits(width), written);
+  savePlace(Area::V, safe(ref.value), bits(width), written);
   reaches(Area::V, 0, store->size(Area::V), true);
 }
 
@@ -113,7 +118,8 @@ bool Recorder::follows(Machine<Recorder>& machine, Bits location, Width width, S
   spot.isComputed = true;
   spot.area = area;
   const Bits first = shl(row->first, literal(3, 32), 32);
-  spot.value = select(isReal, add(first, address, 32), literal(0, 32), 32);
+  const Bits place = add(first, address, 32);
+  spot.value = code.isWholeScan ? place : select(isReal, place, literal(0, 32), 32);
   const auto start = known(row->first), count = known(row->count);
   if (start && count)
     reaches(area, static_cast<std::uint32_t>(*start), static_cast<std::uint32_t>(*count), false);

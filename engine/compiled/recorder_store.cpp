@@ -164,7 +164,8 @@ void Recorder::Store::saveBit(Area area, std::uint32_t byte, std::uint32_t bit, 
 
 Recorder::Bits Recorder::Store::load(Area area, std::uint32_t bitOffset, int width) {
   if (area == Area::DB) bitOffset = model_.blocks().bitPlace(bitOffset);
-  return loadPlace(area, bitOffset, width);
+  const Bits value = loadPlace(area, bitOffset, width);
+  return d_.code.isWholeScan && width > 1 ? d_.ofGuard(value) : value;
 }
 
 Recorder::Bits Recorder::Store::loadPlace(Area area, std::uint32_t bitOffset, int width) {

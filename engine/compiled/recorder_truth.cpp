@@ -9,6 +9,7 @@ namespace {
 /// How far a value is looked into for a condition that decides it.
 constexpr int deepest = 4;
 
+bool isOverflow(CodeOp op) { return op == CodeOp::AddOverflows || op == CodeOp::SubOverflows; }
 bool isJoin(CodeOp op) { return op == CodeOp::And || op == CodeOp::Or; }
 
 }  // namespace
@@ -123,6 +124,25 @@ Recorder::Bool Recorder::guardOfLocal(Bool guard, std::uint32_t byte) {
   return guard;
 }
 
+/// What is known of `asked` where a condition holds.
+std::optional<bool> Recorder::impliedBy(ValueId condition, ValueId asked) const {
+  if (condition == asked) return true;
+  if (isOpposite(condition, asked)) return false;
+  const Step& both = at(condition);
+  if (both.op != CodeOp::And) return std::nullopt;
+  const auto first = impliedBy(both.a, asked);
+  return first ? first : impliedBy(both.b, asked);
+}
+
+Recorder::Bits Recorder::ofGuard(Bits number) const {
+  while (at(number.id).op == CodeOp::Select) {
+    const auto isOn = impliedBy(resolved(guard->id), at(number.id).a);
+    if (!isOn) break;
+    number.id = *isOn ? at(number.id).b : at(number.id).c;
+  }
+  return number;
+}
+
 std::optional<Recorder::NumberTest> Recorder::numberTest(ValueId id) const {
   const Step& step = at(id);
   const auto isTest = [&](const Step& s) {
@@ -148,7 +168,7 @@ std::optional<Recorder::Bool> Recorder::oneTest(ValueId condition, ValueId on, V
   const Bits number = select({condition}, {x->test.a}, {y->test.a}, width);
   const Bool test = x->test.op == CodeOp::TestBit ? bit(number, static_cast<int>(x->test.value))
                                                   : equal(number, {x->test.b}, x->test.width);
-  return land(lnot(select({condition}, Bool{x->unless}, Bool{y->unless})), test);
+  return land(lnot(chosen({condition}, {x->unless}, {y->unless})), test);
 }
 
 Recorder::Bool Recorder::select(Bool c, Bool a, Bool b) {
@@ -167,17 +187,25 @@ Recorder::Bool Recorder::select(Bool c, Bool a, Bool b) {
       return select({outer}, select({inner}, a, under(b, outer, true, deepest)), without);
     }
   }
+  if (code.isWholeScan && a.id > 1 && b.id > 1) {
+    if (const auto one = oneTest(c.id, a.id, b.id)) return *one;
+    // Of what was chosen before, the first of all is nobody's result: those after it are one chain.
+    if (const Step before = at(b.id); before.op == CodeOp::SelectBit) {
+      const auto one =
+          isOverflow(at(a.id).op) ? std::optional(chosen(c, a, {before.b})) : oneTest(c.id, a.id, before.b);
+      if (one) return chosen(lor(c, {before.a}), *one, {before.c});
+    }
+  }
+  return chosen(c, a, b);
+}
+
+/// As it is, but for constants.
+Recorder::Bool Recorder::chosen(Bool c, Bool a, Bool b) {
+  if (a.id == b.id) return a;
   if (a.id == 1) return lor(c, b);
   if (a.id == 0) return land(lnot(c), b);
   if (b.id == 0) return land(c, a);
   if (b.id == 1) return lor(lnot(c), a);
-  if (code.isWholeScan) {
-    if (const auto one = oneTest(c.id, a.id, b.id)) return *one;
-    // Of what was chosen before, the first of all is nobody's result: those after it are one chain.
-    if (const Step before = at(b.id); before.op == CodeOp::SelectBit) {
-      if (const auto one = oneTest(c.id, a.id, before.b)) return select(lor(c, {before.a}), *one, {before.c});
-    }
-  }
   return {make({.op = CodeOp::SelectBit, .a = c.id, .b = a.id, .c = b.id})};
 }
 

@@ -1,6 +1,7 @@
 // Which values all traces have in common. First every value is taken for one that could be; what turns out to depend on
 // a trace is crossed out until nothing is left to cross out. Memory is common from a store of a common value on, where
-// all traces come to it at once, until another store.
+// all traces come to it at once, until another store. A store to a computed address could be one to any place: that it
+// does not change what loops count with, is taken for granted, and a trace in which it does leaves the code there.
 #include <algorithm>
 #include <unordered_set>
 
@@ -55,8 +56,11 @@ class CommonPlaces {
     else
       places_.erase(place);
   }
-  void forget(Area area) {
-    std::erase_if(places_, [&](std::uint64_t p) { return p >> 60 == 4 && p >> 40 == ofByte(area, 0) >> 40; });
+  template <class IsGuarded>
+  void forget(Area area, IsGuarded&& isGuarded) {
+    std::erase_if(places_, [&](std::uint64_t p) {
+      return p >> 60 == 4 && p >> 40 == ofByte(area, 0) >> 40 && !isGuarded(area, p & ((1ULL << 40) - 1));
+    });
   }
   /// False: it was so already.
   bool keepOnly(const CommonPlaces& other) {
@@ -74,13 +78,47 @@ class CommonPlaces {
 
 }  // namespace
 
-void LaneFlow::findCommon() {
-  for (ValueId i = 0; i < code_.steps.size(); ++i) {
+bool LaneFlow::isGuarded(Area area, std::uint64_t byte) const {
+  return std::ranges::any_of(
+      guarded, [&](const Guarded& g) { return g.area == area && byte >= g.first && byte - g.first < g.count; });
+}
+
+/// Where computed addresses are written to, the memory from which conditions of ways back are computed.
+void LaneFlow::findGuarded() {
+  std::vector<bool> isAsked(code_.steps.size(), false);
+  for (const auto& [branch, row] : goOnBehind) isAsked[code_.steps[branch].a] = isNeeded_[branch];
+  for (ValueId i = static_cast<ValueId>(code_.steps.size()); i-- > 0;) {
     const Step& s = code_.steps[i];
-    isCommon[i] = isNeeded_[i] && (isOneNumber(s, code_) || isBranch(s.op));
+    if (!isAsked[i] || !hasValue(s.op)) continue;
+    eachOperand(s, [&](ValueId id) { isAsked[id] = true; });
+    const bool isWritten = s.op == CodeOp::LoadMemory && std::ranges::any_of(code_.steps, [&](const Step& store) {
+                             return store.op == CodeOp::StoreAt && store.area == s.area;
+                           });
+    if (isWritten) guarded.push_back({s.area, static_cast<std::uint32_t>(s.value), s.width / 8U});
   }
-  do findMasks();
-  while (narrowCommon());
+}
+
+void LaneFlow::findCommon() {
+  const auto begin = [&] {
+    for (ValueId i = 0; i < code_.steps.size(); ++i) {
+      const Step& s = code_.steps[i];
+      isCommon[i] = isNeeded_[i] && (isOneNumber(s, code_) || isBranch(s.op));
+    }
+    do findMasks();
+    while (narrowCommon());
+  };
+  const auto isCommonLoad = [&](const Guarded& g) {
+    for (ValueId i = 0; i < code_.steps.size(); ++i) {
+      const Step& s = code_.steps[i];
+      if (isNeeded_[i] && isCommon[i] && s.op == CodeOp::LoadMemory && s.area == g.area && s.value == g.first)
+        return true;
+    }
+    return false;
+  };
+  findGuarded();
+  begin();
+  // What is not common in spite of it needs no guard.
+  if (std::erase_if(guarded, [&](const Guarded& g) { return !isCommonLoad(g); }) > 0) begin();
 }
 
 /// Crosses out what the masks as they are now, and what is crossed out already, allow no more.
@@ -126,7 +164,9 @@ bool LaneFlow::narrowCommon() {
           for (std::uint64_t k = 0; k < s.width / 8U; ++k)
             now.put(CommonPlaces::ofByte(s.area, s.value + k), isStored && !isClearing(s, code_));
           break;
-        case CodeOp::StoreAt: now.forget(s.area); break;
+        case CodeOp::StoreAt:
+          now.forget(s.area, [&](Area area, std::uint64_t byte) { return isGuarded(area, byte); });
+          break;
         case CodeOp::Mark:
           atMark[s.value].keepOnly(now);
           now = atMark[s.value];

@@ -12,7 +12,28 @@ LaneFlow::LaneFlow(const Code& code, const std::vector<bool>& isNeeded, bool see
   findMasks();
   findKept();
   findFolded();
+  isPatched.assign(code.steps.size(), false);
+  if (seesCommon) findPatched();
   findEnds();
+}
+
+/// Of a number whose upper part is only joined with another lower part, that part need not be taken out.
+void LaneFlow::findPatched() {
+  const auto isUpper = [&](ValueId id) {
+    const Step& s = code_.steps[id];
+    const int bits = s.op == CodeOp::Extract ? widthOf(code_.steps[s.a]) : 0;
+    return (bits == 16 || bits == 32) && static_cast<int>(s.value) + s.width == bits && !keptAt.contains(id) &&
+           !keptAt.contains(s.a);
+  };
+  for (ValueId i = 0; i < code_.steps.size(); ++i) isPatched[i] = isNeeded_[i] && isUpper(i);
+  for (ValueId i = 0; i < code_.steps.size(); ++i) {
+    if (!isNeeded_[i]) continue;
+    const Step& s = code_.steps[i];
+    const bool isPatch = s.op == CodeOp::Join && !isCommon[i] && s.value == code_.steps[s.a].value && s.a != s.b;
+    eachOperand(s, [&](ValueId id) {
+      if (!isPatch || id != s.a) isPatched[id] = false;
+    });
+  }
 }
 
 /// A block begins at a mark, and behind a branch back, where those go on that do not take it. Within a block nobody
@@ -71,10 +92,7 @@ void LaneFlow::findKept() {
   for (ValueId i = 0; i < code_.steps.size(); ++i) {
     if (!isNeeded_[i]) continue;
     const Step& s = code_.steps[i];
-    const int operands = compiled::operandCount(s.op);
-    if (operands > 0) uses(i, s.a);
-    if (operands > 1) uses(i, s.b);
-    if (operands > 2) uses(i, s.c);
+    eachOperand(s, [&](ValueId id) { uses(i, id); });
   }
   for (auto& [branch, row] : goOnBehind) row = keptRows++;
 }
@@ -105,12 +123,10 @@ void LaneFlow::findEnds() {
     const auto use = [&](ValueId id) {
       if (std::exchange(seenIn[id], blockOf[i]) != blockOf[i]) endsAt[i].push_back(id);
     };
-    const int operands = compiled::operandCount(s.op);
-    for (const auto& [isThere, id] : {std::pair(operands > 0, s.a), {operands > 1, s.b}, {operands > 2, s.c}}) {
-      if (!isThere) continue;
+    eachOperand(s, [&](ValueId id) {
       use(id);
-      if (isFolded[id]) use(code_.steps[id].a);
-    }
+      if (isFolded[id] || isPatched[id]) use(code_.steps[id].a);
+    });
     if (hasValue(s.op)) use(i);
   }
 }

@@ -22,9 +22,15 @@ class LaneFlow {
   std::unordered_map<ValueId, std::size_t> goOnBehind;  ///< by branch back: row of those that go on there
   std::unordered_map<ValueId, std::size_t> keptAt;      ///< values that other blocks use: row
   std::size_t keptRows = 0;
-  std::vector<bool> isFolded;                     ///< negations that only And of their block uses
-  std::vector<std::vector<ValueId>> endsAt;       ///< by step: values that the block uses no more
-  std::vector<bool> isCommon;                     ///< by step: a value, or the way that a branch takes
+  std::vector<bool> isFolded;                ///< negations that only And of their block uses
+  std::vector<bool> isPatched;               ///< upper parts of numbers that only get other lower parts
+  std::vector<std::vector<ValueId>> endsAt;  ///< by step: values that the block uses no more
+  std::vector<bool> isCommon;                ///< by step: a value, or the way that a branch takes
+  struct Guarded {
+    Area area;
+    std::uint32_t first, count;
+  };
+  std::vector<Guarded> guarded;  ///< memory of which it is taken for granted that no computed address leads there
   std::unordered_map<std::uint64_t, bool> joins;  ///< by number of a mark: traces may wait for it
 
  private:
@@ -32,12 +38,25 @@ class LaneFlow {
   void findMasks();
   void findCommon();
   bool narrowCommon();
+  void findGuarded();
+  bool isGuarded(Area area, std::uint64_t byte) const;
   void findKept();
   void findFolded();
+  void findPatched();
+  template <class Use>
+  void eachOperand(const Step& s, Use&& use) const;
   void findEnds();
 
   const Code& code_;
   const std::vector<bool>& isNeeded_;
 };
+
+template <class Use>
+void LaneFlow::eachOperand(const Step& s, Use&& use) const {
+  const int operands = compiled::operandCount(s.op);
+  if (operands > 0) use(s.a);
+  if (operands > 1) use(s.b);
+  if (operands > 2) use(s.c);
+}
 
 }  // namespace rungproof::lanes

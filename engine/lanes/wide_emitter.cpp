@@ -8,6 +8,13 @@ namespace rungproof::lanes {
 using namespace asmjit;  // its Operand: by its full name
 namespace Inst = x86::Inst;
 
+namespace {
+
+/// Mask registers that hold something from step to step.
+constexpr std::size_t mostMasks = 4;
+
+}  // namespace
+
 WideEmitter::WideEmitter(const Code& code, const std::vector<bool>& isNeeded, LaneLayout& layout,
                          std::deque<StepByTrace>& byTrace, CodeHolder& holder)
     : code_(code),
@@ -51,6 +58,7 @@ bool WideEmitter::emit() {
       control(s);
     }
     release();
+    thinMasks(mostMasks);
   }
   step_ = static_cast<ValueId>(code_.steps.size() - 1);
   if (code_.countsTime && !code_.isStraight) checkTime();
@@ -92,19 +100,19 @@ void WideEmitter::count(const Step& s) {
   c_.or_(errors, who);
 }
 
-/// Where nobody waits elsewhere and all leave, the scan is over.
 void WideEmitter::leave(const Step& s) {
-  const Mem left = at(layout_.left(), wideTruthBytes);
-  if (code_.isStraight) return void(c_.or_(left, truth(s.a)));
+  if (code_.isStraight) return void(c_.or_(at(layout_.left(), wideTruthBytes), truth(s.a)));
   const Gp who = freshGp();
   c_.mov(who, active_);
   c_.emit(Inst::kIdAnd, who, truthSource(s.a));
-  c_.or_(left, who);
+  leave(who);
+}
+
+/// Where nobody waits elsewhere and all leave, the scan is over.
+void WideEmitter::leave(const Gp& who) {
+  c_.or_(at(layout_.left(), wideTruthBytes), who);
   c_.andn(active_, who, active_);
-  if (!flow_.isMaskedAt[step_]) {
-    c_.test(active_, active_);
-    c_.jz(labels_.back());
-  }
+  if (!flow_.isMaskedAt[step_]) c_.jz(labels_.back());
 }
 
 /// The longest of all traces counts for each.

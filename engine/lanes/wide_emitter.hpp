@@ -45,6 +45,7 @@ class WideEmitter {
   void beginBlock(std::uint32_t block, std::optional<std::size_t> waiting);
   void count(const Step& s);
   void leave(const Step& s);
+  void leave(const Gp& who);
   void checkTime();
   void keep(ValueId id);
 
@@ -80,7 +81,7 @@ class WideEmitter {
   Number loadMemory(const Step& s);
   Number loadSlots(const Step& s);
   Number together(const Number& high, const Number& low);
-  Zmm byteOf(const Number& value, std::uint32_t k);
+  void storeByteOf(const Number& value, std::uint32_t k, const Mem& to, const Mask* mask);
   void store(const Step& s);
   void storeRow(Row row, ValueId id);
   void storeTruth(std::size_t offset, const Gp& value);
@@ -93,6 +94,7 @@ class WideEmitter {
   Gp commonPlace(const Step& s, const asmjit::Label& differ);
   Number loadAt(const Step& s);
   void storeAt(const Step& s);
+  void leaveWhereGuarded(const Step& s);
   Mem placeAt(const Gp& place, Area area, std::uint32_t byte);
 
   // wide_vectors.cpp
@@ -122,6 +124,7 @@ class WideEmitter {
   void holdScalar(ValueId id, const Gp& value);
   void holdNumber(ValueId id, const Number& value);
   void holdMasks(ValueId id, Rep rep, const Masks& masks);
+  void thinMasks(std::size_t most);
   void release();
   void forgetAll();
   void drop(const Number& value);
@@ -144,6 +147,7 @@ class WideEmitter {
   std::unordered_map<ValueId, Gp> truths_, scalars_;
   std::unordered_map<std::uint64_t, Number> numbers_;  ///< by value and form
   std::unordered_map<std::uint64_t, Masks> masks_;     ///< by value and form
+  std::vector<std::uint64_t> recentMasks_;             ///< keys of masks_, the oldest first
   std::unordered_map<ValueId, std::size_t> slotOf_;    ///< truth values that stand in memory
   std::multimap<std::size_t, ValueId> readAt_;         ///< values by the place where they stand
   std::unordered_map<std::uint64_t, ValueId> sums_;    ///< by operands: Add or Sub of this block

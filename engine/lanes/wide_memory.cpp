@@ -68,11 +68,16 @@ WideEmitter::Number WideEmitter::together(const Number& high, const Number& low)
   return each(Inst::kIdVporq, shifted(widened(high), true, static_cast<std::uint32_t>(bitsOf(low.rep))), wideLow);
 }
 
-/// Byte number `k` of numbers, 0 the lowest.
-x86::Zmm WideEmitter::byteOf(const Number& value, std::uint32_t k) {
+/// Stores byte number `k` of numbers, 0 the lowest.
+void WideEmitter::storeByteOf(const Number& value, std::uint32_t k, const Mem& to, const Mask* mask) {
   Number byte = k == 0 ? value : shifted(value, false, 8 * k);
-  while (byte.rep > Rep::Byte) byte = narrowed(byte);
-  return inRegister(byte.piece[0]);
+  while (byte.rep > Rep::Word || (byte.rep > Rep::Byte && mask != nullptr)) byte = narrowed(byte);
+  if (byte.rep == Rep::Byte) return storePiece(to, inRegister(byte.piece[0]), Rep::Byte, mask);
+  for (std::size_t i = 0; i < pieceCount(Rep::Word); ++i) {
+    Mem half = to.cloneAdjusted(static_cast<std::int64_t>(i * wideBytes / 2));
+    half.setSize(wideBytes / 2);
+    c_.emit(Inst::kIdVpmovwb, half, inRegister(byte.piece[i]));
+  }
 }
 
 WideEmitter::Number WideEmitter::loadMemory(const Step& s) {
@@ -107,17 +112,16 @@ void WideEmitter::storeMemory(const Step& s) {
     const auto row = layout_.cell(s.area, byte + static_cast<std::uint32_t>(k), 1);
     CHECK(row.has_value(), "a byte without a row");
     const auto number = static_cast<std::uint32_t>(bytes - 1 - k);
-    Zmm own;
+    beforeStore(row->at, wideBytes);
+    const Masks masks = flow_.isMaskedAt[step_] ? masksFrom(active_, Rep::Byte) : Masks{};
+    const Mask* const mask = flow_.isMaskedAt[step_] ? &masks[0] : nullptr;
     if (isScalar(s.a)) {
       const Gp part = copied(scalar(s.a));
       if (number > 0) c_.shr(part, imm(8 * number));
-      own = broadcast(part, Rep::Byte).piece[0].as<Zmm>();
+      storePiece(at(row->at), broadcast(part, Rep::Byte).piece[0].as<Zmm>(), Rep::Byte, mask);
     } else {
-      own = byteOf(value, number);
+      storeByteOf(value, number, at(row->at), mask);
     }
-    beforeStore(row->at, wideBytes);
-    const Masks masks = flow_.isMaskedAt[step_] ? masksFrom(active_, Rep::Byte) : Masks{};
-    storePiece(at(row->at), own, Rep::Byte, flow_.isMaskedAt[step_] ? &masks[0] : nullptr);
   }
 }
 
@@ -160,13 +164,7 @@ void WideEmitter::storeSlots(const Step& s) {
 }
 
 /// Mask registers do not outlast a call: what stands in them only is brought to general ones.
-void WideEmitter::beforeCall() {
-  for (const auto& [key, masks] : masks_) truth(static_cast<ValueId>(key >> 3));
-  for (const auto& [key, masks] : masks_) {
-    for (std::size_t i = 0; i < pieceCount(static_cast<Rep>(key & 7)); ++i) maskPool_.drop(masks[i]);
-  }
-  masks_.clear();
-}
+void WideEmitter::beforeCall() { thinMasks(0); }
 
 void WideEmitter::callByTrace(const StepByTrace& by, Rep rep) {
   if (!code_.isStraight) c_.mov(at(layout_.active(), wideTruthBytes), active_);
@@ -246,7 +244,34 @@ WideEmitter::Number WideEmitter::loadAt(const Step& s) {
   return value;
 }
 
+/// Of a store to memory from which the code takes it for granted that there is none (LaneFlow::guarded).
+void WideEmitter::leaveWhereGuarded(const Step& s) {
+  constexpr std::uint32_t askLessOrEqual = 2;
+  for (const LaneFlow::Guarded& g : flow_.guarded) {
+    if (g.area != s.area) continue;
+    // From as many bytes before the place on as the store has behind its first.
+    const std::uint64_t first = g.first + 1 - s.width / 8U - s.value, span = g.count + s.width / 8U - 2;
+    if (isScalar(s.a)) {
+      const Label isElsewhere = c_.newLabel();
+      const Gp address = copied(scalar(s.a));
+      c_.sub(address.r32(), imm(static_cast<std::int32_t>(first)));
+      c_.cmp(address.r32(), imm(span));
+      c_.ja(isElsewhere);
+      const Gp all = copied(active_);
+      leave(all);
+      c_.bind(isElsewhere);
+      continue;
+    }
+    const Number from = each(Inst::kIdVpsubd, number(s.a, Rep::Double), constant(first & 0xFFFFFFFF, Rep::Double));
+    const Gp who =
+        truthFrom(compared(Inst::kIdVpcmpud, from, constant(span, Rep::Double), askLessOrEqual), Rep::Double);
+    c_.and_(who, active_);
+    leave(who);
+  }
+}
+
 void WideEmitter::storeAt(const Step& s) {
+  leaveWhereGuarded(s);
   const Rep rep = repFor(s.width);
   const Label differ = c_.newLabel(), done = c_.newLabel();
   const ReachedRows& reached = layout_.reached(s.area);
@@ -258,7 +283,7 @@ void WideEmitter::storeAt(const Step& s) {
   const bool isMasked = flow_.isMaskedAt[step_];
   const Masks masks = isMasked ? masksFrom(active_, Rep::Byte) : Masks{};
   for (std::uint32_t k = 0; k < bytes; ++k)
-    storePiece(placeAt(place, s.area, k), byteOf(value, bytes - 1 - k), Rep::Byte, isMasked ? &masks[0] : nullptr);
+    storeByteOf(value, bytes - 1 - k, placeAt(place, s.area, k), isMasked ? &masks[0] : nullptr);
   c_.jmp(done);
   c_.bind(differ);
   if (!isScalar(s.a)) {

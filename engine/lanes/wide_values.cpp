@@ -27,6 +27,7 @@ int bitsOfOperand(const Step& s) {
   return s.op == CodeOp::Constant ? std::max(1, static_cast<int>(std::bit_width(s.value))) : widthOf(s);
 }
 Rep asNumber(Rep rep) { return std::max(rep, Rep::Byte); }
+std::uint64_t wholeKey(ValueId id, Rep rep) { return std::uint64_t{id} << 3 | static_cast<std::uint64_t>(rep); }
 std::uint64_t sumKey(CodeOp op, ValueId a, ValueId b) {
   return std::uint64_t{a} << 33 | std::uint64_t{b} << 1 | (op == CodeOp::Add ? 1 : 0);
 }
@@ -36,6 +37,7 @@ std::uint64_t sumKey(CodeOp op, ValueId a, ValueId b) {
 void WideEmitter::value(ValueId id) {
   const Step& s = code_.steps[id];
   if (s.op == CodeOp::False || s.op == CodeOp::True || s.op == CodeOp::Constant) return;
+  if (flow_.isPatched[id]) return;
   const bool isKept = flow_.keptAt.contains(id);
   if (repFor(widthOf(s)) == Rep::Truth) {
     if (s.op == CodeOp::LoadBit && !isKept) {
@@ -186,8 +188,7 @@ x86::Gp WideEmitter::overflow(const Step& s) {
   if (isSum && left.op == CodeOp::Constant) return overflowByConstant(s, number(s.b, rep), left.value);
   const Number a = number(s.a, rep), b = number(s.b, rep);
   const auto known = sums_.find(sumKey(isSum ? CodeOp::Add : CodeOp::Sub, s.a, s.b));
-  const bool isKnown =
-      known != sums_.end() && numbers_.contains(std::uint64_t{known->second} << 3 | static_cast<std::uint64_t>(rep));
+  const bool isKnown = known != sums_.end() && numbers_.contains(wholeKey(known->second, rep));
   const Number result =
       isKnown ? number(known->second, rep) : each(wideForm(isSum ? wideAddition : wideSubtraction, rep), a, b);
   if (rep == Rep::Word) {
@@ -317,6 +318,20 @@ WideEmitter::Number WideEmitter::extract(const Step& s) {
 WideEmitter::Number WideEmitter::join(const Step& s) {
   const Rep own = repFor(widthOf(s));
   const Rep rep = std::max(own, Rep::Word);
+  const Step& above = code_.steps[s.a];
+  if (flow_.isPatched[s.a]) {  // the low part of a number anew
+    constexpr std::uint32_t firstOrBoth = 0xF8;
+    const Number low = number(s.b, rep), whole = number(above.a, rep);
+    const Number keeps = constant(Concrete::mask(bitsOf(rep)) & ~Concrete::mask(static_cast<int>(s.value)), rep);
+    Number to{rep};
+    for (std::size_t i = 0; i < pieceCount(rep); ++i) {
+      const Zmm patched = freshZmm();
+      c_.emit(Inst::kIdVmovdqa64, patched, low.piece[i]);
+      c_.emit(Inst::kIdVpternlogq, patched, inRegister(whole.piece[i]), keeps.piece[i], imm(firstOrBoth));
+      to.piece[i] = patched;
+    }
+    return to;
+  }
   const Number high = shifted(number(s.a, rep), true, static_cast<std::uint32_t>(s.value));
   Number both = each(Inst::kIdVporq, high, number(s.b, rep));
   while (both.rep > own) both = narrowed(both);

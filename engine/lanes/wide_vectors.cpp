@@ -45,6 +45,24 @@ void WideEmitter::holdNumber(ValueId id, const Number& value) {
 void WideEmitter::holdMasks(ValueId id, Rep rep, const Masks& masks) {
   if (!masks_.try_emplace(wideKey(id, rep), masks).second) return;
   for (std::size_t i = 0; i < pieceCount(rep); ++i) maskPool_.hold(masks[i]);
+  recentMasks_.push_back(wideKey(id, rep));
+}
+
+/// There are seven mask registers: what has stood there for long is soon made again of its bits.
+void WideEmitter::thinMasks(std::size_t most) {
+  std::erase_if(recentMasks_, [&](std::uint64_t key) { return !masks_.contains(key); });
+  const auto countOf = [](std::uint64_t key) { return pieceCount(static_cast<Rep>(key & 7)); };
+  std::size_t count = 0;
+  for (const std::uint64_t key : recentMasks_) count += countOf(key);
+  while (count > most) {
+    const std::uint64_t key = recentMasks_.front();
+    const auto id = static_cast<ValueId>(key >> 3);
+    if (!slotOf_.contains(id)) truth(id);
+    for (std::size_t i = 0; i < countOf(key); ++i) maskPool_.drop(masks_.at(key)[i]);
+    masks_.erase(key);
+    recentMasks_.erase(recentMasks_.begin());
+    count -= countOf(key);
+  }
 }
 void WideEmitter::drop(const Number& value) {
   for (std::size_t i = 0; i < pieceCount(value.rep); ++i) {
@@ -84,6 +102,7 @@ void WideEmitter::forgetAll() {
   scalars_.clear();
   numbers_.clear();
   masks_.clear();
+  recentMasks_.clear();
   slotOf_.clear();
   readAt_.clear();
   sums_.clear();
@@ -215,6 +234,14 @@ WideEmitter::Masks WideEmitter::masksFrom(const asmjit::Operand& truth, Rep rep)
 
 x86::Gp WideEmitter::truthFrom(const Masks& masks, Rep rep) {
   static constexpr std::array<InstId, 3> unpack = {Inst::kIdKunpckbw, Inst::kIdKunpckwd, Inst::kIdKunpckdq};
+  if (rep == Rep::Word) {
+    const Gp low = freshGp(), high = freshGp();
+    c_.kmovd(low.r32(), masks[0]);
+    c_.kmovd(high.r32(), masks[1]);
+    c_.shl(high, 32);
+    c_.or_(low, high);
+    return low;
+  }
   std::array<Mask, mostPieces> parts = masks;
   std::size_t count = pieceCount(rep);
   for (std::size_t level = rep == Rep::Quad ? 0 : rep == Rep::Double ? 1 : 2; count > 1; ++level, count /= 2) {
@@ -291,11 +318,19 @@ WideEmitter::Number WideEmitter::widened(const Number& value) {
   static constexpr std::array<InstId, 3> extend = {Inst::kIdVpmovzxbw, Inst::kIdVpmovzxwd, Inst::kIdVpmovzxdq};
   Number to{formAbove(value.rep)};
   for (std::size_t i = 0; i < pieceCount(value.rep); ++i) {
-    const Zmm low = freshZmm(), high = freshZmm(), upper = freshZmm();
-    const Zmm from = inRegister(value.piece[i]);
-    c_.emit(extend[indexOf(value.rep)], low, from.ymm());
-    c_.vextracti64x4(upper.ymm(), from, imm(1));
-    c_.emit(extend[indexOf(value.rep)], high, upper.ymm());
+    const Zmm low = freshZmm(), high = freshZmm();
+    const InstId id = extend[indexOf(value.rep)];
+    if (value.piece[i].isMem()) {
+      Mem half = value.piece[i].as<Mem>();
+      half.setSize(wideBytes / 2);
+      c_.emit(id, low, half);
+      c_.emit(id, high, half.cloneAdjusted(wideBytes / 2));
+    } else {
+      const Zmm from = value.piece[i].as<Zmm>(), upper = freshZmm();
+      c_.emit(id, low, from.ymm());
+      c_.vextracti64x4(upper.ymm(), from, imm(1));
+      c_.emit(id, high, upper.ymm());
+    }
     to.piece[2 * i] = low;
     to.piece[2 * i + 1] = high;
   }
