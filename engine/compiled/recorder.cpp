@@ -235,6 +235,15 @@ Recorder::Bool Recorder::slt(Bits a, Bits b, int w) {
   return a.id == b.id ? constant(false) : compare(CodeOp::LessSigned, w, a, b);
 }
 
+/// The low word of `whole`, where `patched` is the same number with another low word.
+std::optional<Recorder::Bits> Recorder::onlyLowDiffers(Bits whole, Bits patched) {
+  const Step join = at(patched.id);
+  if (join.op != CodeOp::Join || join.value != 16 || join.width != 16) return std::nullopt;
+  const Step high = at(join.a);
+  if (high.op != CodeOp::Extract || high.a != whole.id || high.value != 16) return std::nullopt;
+  return extract(whole, 15, 0);
+}
+
 Recorder::Bits Recorder::select(Bool c, Bits a, Bits b, int w) {
   c.id = resolved(c.id);
   if (c.id == 1 || a.id == b.id) return a;
@@ -242,6 +251,12 @@ Recorder::Bits Recorder::select(Bool c, Bits a, Bits b, int w) {
   if (w == 1) return fromBool(select(c, bit(a, 0), bit(b, 0)), 1);
   if (at(c.id).op == CodeOp::Not) return select({at(c.id).a}, b, a, w);
   if (at(a.id).op == CodeOp::Select && at(a.id).a == c.id) return select(c, {at(a.id).b}, b, w);
+  if (code.isWholeScan) {
+    if (const auto low = onlyLowDiffers(a, b))
+      return concat({at(b.id).a}, w - 16, select(c, *low, {at(b.id).b}, 16), 16);
+    if (const auto low = onlyLowDiffers(b, a))
+      return concat({at(a.id).a}, w - 16, select(c, {at(a.id).b}, *low, 16), 16);
+  }
   if (const Step below = at(b.id); below.op == CodeOp::Select) {
     if (below.a == c.id) return select(c, a, {below.c}, w);
     const Step both = at(c.id);

@@ -200,6 +200,7 @@ class Recorder {
   std::optional<Bool> oneTest(ValueId condition, ValueId on, ValueId off);
 
   Bits safe(Bits address);
+  std::optional<Bits> onlyLowDiffers(Bits whole, Bits patched);
   Bits loadPlace(Area area, Bits address, int width);
   void savePlace(Area area, Bits address, int width, Bits value);
 

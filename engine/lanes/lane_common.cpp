@@ -119,6 +119,20 @@ void LaneFlow::findCommon() {
   begin();
   // What is not common in spite of it needs no guard.
   if (std::erase_if(guarded, [&](const Guarded& g) { return !isCommonLoad(g); }) > 0) begin();
+  findRegisters();
+}
+
+void LaneFlow::findRegisters() {
+  if (goOnBehind.empty()) return;  // written once as a rule
+  for (const std::uint64_t reg : commonAtEnd_) oneNumberAt.try_emplace(reg, 0);
+  for (ValueId i = 0; i < code_.steps.size(); ++i) {
+    const Step& s = code_.steps[i];
+    const bool isOther = s.op == CodeOp::LoadRegister && (!isCommon[i] || repFor(s.width) == Rep::Truth);
+    const bool isTruthStore = s.op == CodeOp::StoreRegister && repFor(widthOf(code_.steps[s.a])) == Rep::Truth &&
+                              code_.steps[s.a].op != CodeOp::Constant;
+    if (isNeeded_[i] && (isOther || isTruthStore)) oneNumberAt.erase(s.value);
+  }
+  for (auto& [reg, row] : oneNumberAt) row = keptRows++;
 }
 
 /// Crosses out what the masks as they are now, and what is crossed out already, allow no more.
@@ -179,6 +193,11 @@ bool LaneFlow::narrowCommon() {
           break;
         default: break;
       }
+    }
+    commonAtEnd_.clear();
+    for (const Step& s : code_.steps) {
+      if (s.op == CodeOp::StoreRegister && !now.isEverything && now.contains(CommonPlaces::ofRegister(s.value)))
+        commonAtEnd_.push_back(s.value);
     }
   }
   return isNarrowed;

@@ -31,6 +31,9 @@ class LaneFlow {
     std::uint32_t first, count;
   };
   std::vector<Guarded> guarded;  ///< memory of which it is taken for granted that no computed address leads there
+  /// Registers, each with a row that holds it as one number while the code runs: the last value is common, and who
+  /// reads it before finds it common too.
+  std::unordered_map<std::uint64_t, std::size_t> oneNumberAt;
   std::unordered_map<std::uint64_t, bool> joins;  ///< by number of a mark: traces may wait for it
 
  private:
@@ -39,6 +42,7 @@ class LaneFlow {
   void findCommon();
   bool narrowCommon();
   void findGuarded();
+  void findRegisters();
   bool isGuarded(Area area, std::uint64_t byte) const;
   void findKept();
   void findFolded();
@@ -47,6 +51,7 @@ class LaneFlow {
   void eachOperand(const Step& s, Use&& use) const;
   void findEnds();
 
+  std::vector<std::uint64_t> commonAtEnd_;  ///< registers
   const Code& code_;
   const std::vector<bool>& isNeeded_;
 };

@@ -63,11 +63,34 @@ bool WideEmitter::emit() {
   step_ = static_cast<ValueId>(code_.steps.size() - 1);
   if (code_.countsTime && !code_.isStraight) checkTime();
   c_.bind(labels_.back());
+  spreadRegisters();
   c_.ret();
   c_.endFunc();
   const bool isFinal = c_.finalize() == kErrorOk;
   c_.setErrorHandler(nullptr);
   return isFinal && !error.isThere;
+}
+
+/// Where a register stands as one number while the code runs.
+std::optional<std::size_t> WideEmitter::oneNumber(std::uint64_t reg) const {
+  const auto number = flow_.oneNumberAt.find(reg);
+  if (number == flow_.oneNumberAt.end() || layout_.reg(reg)->rep == Rep::Truth) return std::nullopt;
+  return layout_.kept(number->second);
+}
+
+/// What stood as one number while the code ran is brought to the rows.
+void WideEmitter::spreadRegisters() {
+  forgetAll();
+  for (const auto& [reg, number] : flow_.oneNumberAt) {
+    const auto place = oneNumber(reg);
+    if (!place) continue;
+    const Row row = *layout_.reg(reg);
+    const Number all = broadcast(loadScalar(*place, Rep::Quad), row.rep);
+    for (std::size_t i = 0; i < pieceCount(row.rep); ++i)
+      c_.vmovdqa64(at(row.at + wideBytes * i), all.piece[i].as<Zmm>());
+    gps_.endStep();
+    zmms_.endStep();
+  }
 }
 
 void WideEmitter::control(const Step& s) {

@@ -37,6 +37,8 @@ class WideEmitter {
   using Masks = std::array<Mask, mostPieces>;
 
   // wide_emitter.cpp
+  void spreadRegisters();
+  std::optional<std::size_t> oneNumber(std::uint64_t reg) const;
   void control(const Step& s);
   void branchForward(const Step& s);
   void branchBack(const Step& s);

@@ -55,7 +55,11 @@ void WideEmitter::store(const Step& s) {
     case CodeOp::StoreBit: return storeRow({layout_.slot(s.value), Rep::Truth}, s.a);
     case CodeOp::StoreState:
     case CodeOp::StoreStateWord: return storeRow(layout_.state(s.value), s.a);
-    case CodeOp::StoreRegister: return storeRow(*layout_.reg(s.value), s.a);
+    case CodeOp::StoreRegister: {
+      const auto number = oneNumber(s.value);
+      if (number && isScalar(s.a) && !flow_.isMaskedAt[step_]) return void(c_.mov(at(*number, 8), scalar(s.a)));
+      return storeRow(*layout_.reg(s.value), s.a);
+    }
     case CodeOp::StoreMemory: return storeMemory(s);
     case CodeOp::StoreSlots: return storeSlots(s);
     default: return storeAt(s);

@@ -67,6 +67,7 @@ x86::Gp WideEmitter::loadScalar(std::size_t offset, Rep rep) {
 
 x86::Gp WideEmitter::loadScalar(const Step& s) {
   if (s.op == CodeOp::LoadRegister) {
+    if (const auto number = oneNumber(s.value)) return loadScalar(*number, Rep::Quad);
     const Row row = *layout_.reg(s.value);
     return loadScalar(row.at, row.rep);
   }

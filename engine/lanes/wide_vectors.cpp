@@ -234,14 +234,6 @@ WideEmitter::Masks WideEmitter::masksFrom(const asmjit::Operand& truth, Rep rep)
 
 x86::Gp WideEmitter::truthFrom(const Masks& masks, Rep rep) {
   static constexpr std::array<InstId, 3> unpack = {Inst::kIdKunpckbw, Inst::kIdKunpckwd, Inst::kIdKunpckdq};
-  if (rep == Rep::Word) {
-    const Gp low = freshGp(), high = freshGp();
-    c_.kmovd(low.r32(), masks[0]);
-    c_.kmovd(high.r32(), masks[1]);
-    c_.shl(high, 32);
-    c_.or_(low, high);
-    return low;
-  }
   std::array<Mask, mostPieces> parts = masks;
   std::size_t count = pieceCount(rep);
   for (std::size_t level = rep == Rep::Quad ? 0 : rep == Rep::Double ? 1 : 2; count > 1; ++level, count /= 2) {
@@ -252,7 +244,9 @@ x86::Gp WideEmitter::truthFrom(const Masks& masks, Rep rep) {
     }
   }
   const Gp value = freshGp();
-  const Mask here = rep == Rep::Byte ? freshMask() : parts[0];  // the library takes a spilled one from memory in vain
+  const Mask here = rep == Rep::Byte
+                        ? freshMask()
+                        : parts[0];  // the library would take a spilled one from memory, which this move cannot
   if (rep == Rep::Byte) c_.kmovq(here, parts[0]);
   c_.kmovq(value, here);
   return value;
