@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <utility>
 
 #include "ir/check.hpp"
 
@@ -36,6 +38,14 @@ constexpr std::array groups = {
     RuleGroup{"STY", "Style"},
     RuleGroup{"SUP", "The tool itself"},
 };
+
+constexpr std::size_t pieceLength = 1024;  ///< of what FindingSink keeps
+
+/// What a rule advises, and the block, are often the same text for thousands of findings.
+void shareTexts(const Finding& before, Finding& finding) {
+  if (finding.help == before.help) finding.help = before.help;
+  if (finding.pou == before.pou) finding.pou = before.pou;
+}
 
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
@@ -76,6 +86,9 @@ std::string_view needsName(Needs needs) {
 }
 
 PlaceIndex::PlaceIndex(const Program& program) {
+  std::size_t networks = 0;
+  for (const Pou& pou : program.pous) networks += pou.networks.size();
+  networks_.reserve(networks);
   for (const Pou& pou : program.pous) {
     pous_.push_back({pou.span, {&pou, nullptr}});
     for (const Network& network : pou.networks) {
@@ -89,8 +102,9 @@ PlaceIndex::PlaceIndex(const Program& program) {
   const auto byPlace = [](const Entry& a, const Entry& b) {
     return std::pair(a.span.file, a.span.offset) < std::pair(b.span.file, b.span.offset);
   };
-  std::sort(pous_.begin(), pous_.end(), byPlace);
-  std::sort(networks_.begin(), networks_.end(), byPlace);
+  for (std::vector<Entry>* entries : {&pous_, &networks_}) {
+    if (!std::ranges::is_sorted(*entries, byPlace)) std::ranges::sort(*entries, byPlace);
+  }
 }
 
 const PlaceIndex::Entry* PlaceIndex::containing(const std::vector<Entry>& entries, Span span) const {
@@ -118,8 +132,11 @@ void PlaceIndex::complete(Finding& finding) const {
 
 Finding& FindingSink::report(Span span, std::string message) {
   CHECK(rule_ != nullptr, "a finding needs a rule that speaks");
-  Finding& finding = findings_.emplace_back();
-  finding.rule = std::string(rule_->id);
+  if (pieces_.empty() || pieces_.back().size() == pieceLength) pieces_.emplace_back().reserve(pieceLength);
+  std::vector<Finding>& piece = pieces_.back();
+  if (piece.size() > 1) shareTexts(piece[piece.size() - 2], piece.back());
+  Finding& finding = piece.emplace_back();
+  finding.rule = rule_->id;
   finding.severity = rule_->severity;
   finding.refused = rule_->refuses;
   finding.message = std::move(message);
@@ -127,6 +144,17 @@ Finding& FindingSink::report(Span span, std::string message) {
   if (rule_->needs == Needs::FlowThenSolver) finding.confirmation = Confirmation::Unconfirmed;
   places_.complete(finding);
   return finding;
+}
+
+std::vector<Finding> FindingSink::take() {
+  std::vector<Finding> taken;
+  taken.reserve(pieces_.empty() ? 0 : (pieces_.size() - 1) * pieceLength + pieces_.back().size());
+  for (std::vector<Finding>& piece : pieces_) {
+    std::ranges::move(piece, std::back_inserter(taken));
+    piece = {};
+  }
+  pieces_.clear();
+  return taken;
 }
 
 int FindingSink::option(std::string_view name) const {

@@ -195,13 +195,14 @@ class FindingSink {
 
   /// For the runner: the rule that speaks next.
   void begin(const Rule& rule) { rule_ = &rule; }
-  std::vector<Finding> take() { return std::move(findings_); }
+  std::vector<Finding> take();
 
  private:
   PlaceIndex places_;
   const RuleSettings& settings_;
   const Rule* rule_ = nullptr;
-  std::vector<Finding> findings_;
+  /// Pieces of equal length, which need no second room while they grow.
+  std::vector<std::vector<Finding>> pieces_;
 };
 
 }  // namespace rungproof

@@ -130,7 +130,7 @@ TraceSignal signalOf(const Program& program, const Operand& operand) {
 }
 
 std::vector<TraceSignal> touchedSignals(const Program& program) {
-  std::vector<Operand> operands;
+  Operands operands;
   std::set<Cell> seen;
   const auto add = [&](const Operand& operand) {
     if (seen.insert(cellOf(operand)).second) operands.push_back(operand);

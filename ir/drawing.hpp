@@ -40,9 +40,9 @@ inline constexpr std::uint32_t noInstruction = 0xFFFFFFFF;
 struct Element {
   Shape shape = Shape::Rail;
   const Desc* desc = nullptr;
-  std::vector<Operand> operands;  ///< as in the instruction
-  std::vector<Wire> inputs;       ///< topmost first
-  Span span;                      ///< place in the source
+  Operands operands;         ///< as in the instruction
+  std::vector<Wire> inputs;  ///< topmost first
+  Span span;                 ///< place in the source
   /// Position in Network::instructions of the instruction that is this element; of a gate, of the last that joins its
   /// inputs. noInstruction: a rail, or not lowered yet.
   std::uint32_t instruction = noInstruction;

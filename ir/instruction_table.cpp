@@ -66,8 +66,14 @@ InstructionTable::Index InstructionTable::indexBy(std::string_view Desc::*name) 
 }
 
 const Desc* InstructionTable::lookUp(const Index& index, std::string_view name) {
-  const auto found = std::lower_bound(index.begin(), index.end(), name,
-                                      [](const auto& entry, std::string_view key) { return entry.first < key; });
+  if (name.empty()) return nullptr;
+  // Most entries differ in their first character, which is compared without a call.
+  const auto first = static_cast<unsigned char>(name.front());
+  const auto isBefore = [first](const auto& entry, std::string_view key) {
+    const auto own = static_cast<unsigned char>(entry.first.front());
+    return own != first ? own < first : entry.first < key;
+  };
+  const auto found = std::lower_bound(index.begin(), index.end(), name, isBefore);
   return found != index.end() && found->first == name ? found->second : nullptr;
 }
 

@@ -14,15 +14,14 @@ std::string addressName(Area area, Width width, std::uint32_t offset, unsigned b
         fmt::format("DB{}.DB{}{}", offset >> 16, letters[static_cast<int>(width)], offset & 0xFFFF);
     return width == Width::Bit ? fmt::format("{}.{}", place, bit) : place;
   }
-  if (addressedByNumber(area)) return fmt::format("{}{}", areaName(area), offset);
+  // Messages name an address or two each, so these few letters are put together without a format.
+  std::string name(areaName(area));
+  if (addressedByNumber(area)) return name += std::to_string(offset);
   if (isAnalogue(area)) width = Width::Word;
-  switch (width) {
-    case Width::Bit: return fmt::format("{}{}.{}", areaName(area), offset, bit);
-    case Width::Byte: return fmt::format("{}B{}", areaName(area), offset);
-    case Width::Word: return fmt::format("{}W{}", areaName(area), offset);
-    case Width::DWord: return fmt::format("{}D{}", areaName(area), offset);
-  }
-  return {};
+  if (width != Width::Bit) name += width == Width::Byte ? 'B' : width == Width::Word ? 'W' : 'D';
+  name += std::to_string(offset);
+  if (width == Width::Bit) name.append(".").append(std::to_string(bit));
+  return name;
 }
 
 std::string quoted(std::string_view characters, char mark) {

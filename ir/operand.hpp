@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <string_view>
 
 #include "ir/area.hpp"
+#include "ir/shared.hpp"
+#include "ir/short_text.hpp"
 #include "ir/source.hpp"
 
 namespace rungproof {
@@ -62,14 +63,14 @@ struct Operand {
   Area area = Area::V;       ///< Direct, Address: the area; Indirect: the area that holds the pointer
   Width width = Width::Bit;  ///< width as written (VW -> Word); T and C: Bit, the instruction decides; AC: DWord
   ConstantForm form = ConstantForm::Decimal;
-  std::uint8_t bit = 0;      ///< bit number 0..7 as written; values above 7 are kept for ADR001
   std::uint32_t offset = 0;  ///< byte number, or the number of a timer, counter, accumulator, HC
   std::int64_t value = 0;    ///< Constant: value (REAL: IEEE single bits)
   Span span;                 ///< the operand as written
-  std::string text;          ///< Symbol: name; Text: characters; resolved symbols: the name that stood there
+  std::uint8_t bit = 0;      ///< bit number 0..7 as written; values above 7 are kept for ADR001
+  ShortText text;            ///< Symbol: name; Text: characters; resolved symbols: the name that stood there
 
   /// S7-300/400: how a place is found that no number names (OperandKind::Indirect); otherwise nullptr.
-  std::shared_ptr<const Reach> reach;
+  Shared<Reach> reach;
 
   bool isMemory() const { return kind == OperandKind::Direct || kind == OperandKind::Indirect; }
 };

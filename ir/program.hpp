@@ -13,7 +13,7 @@
 #include "ir/block_event.hpp"
 #include "ir/desc.hpp"
 #include "ir/finding.hpp"
-#include "ir/operand.hpp"
+#include "ir/operands.hpp"
 #include "ir/source.hpp"
 
 namespace rungproof {
@@ -47,7 +47,7 @@ struct LocalVariable {
 
 struct Instruction {
   const Desc* desc = nullptr;  ///< never null in a program; unknown mnemonics become findings, not instructions
-  std::vector<Operand> operands;
+  Operands operands;
   Span span;             ///< mnemonic through last operand
   Span mnemonic;         ///< the mnemonic as written
   std::uint32_t id = 0;  ///< number over the whole program, in program order; set by Program::number()
@@ -61,15 +61,15 @@ struct Comment {
 
 struct Network {
   int number = 0;  ///< as written, or counted from 1
-  std::string title;
+  Span span;       ///< heading through last line
+  ShortText title;
   std::vector<Comment> comments;
   std::vector<Instruction> instructions;
-  Span span;  ///< heading through last line
-  Form form = Form::Stl;
   std::shared_ptr<const Drawing> drawing;  ///< of a network that was read as a drawing, lowered to `instructions`
-  bool complete = true;  ///< false: a line of it could not be read; its findings stand in Program::findings
   /// Of a network that is not complete: all that it may write, where that is known; otherwise it may write anything.
-  std::optional<std::vector<Operand>> mayWrite;
+  std::optional<Operands> mayWrite;
+  Form form = Form::Stl;
+  bool complete = true;  ///< false: a line of it could not be read; its findings stand in Program::findings
 };
 
 struct Pou {

@@ -6,6 +6,7 @@
 namespace rungproof {
 
 SourceFile::SourceFile(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {
+  lineStarts_.reserve(static_cast<std::size_t>(std::ranges::count(text_, '\n')) + 1);
   lineStarts_.push_back(0);
   for (std::uint32_t i = 0; i < text_.size(); ++i) {
     if (text_[i] == '\n') lineStarts_.push_back(i + 1);

@@ -14,8 +14,8 @@
 
 namespace rungproof {
 
-std::vector<Operand> RuleQuestion::operands() const {
-  std::vector<Operand> result;
+Operands RuleQuestion::operands() const {
+  Operands result;
   for (const Instruction* instruction : {place, other}) {
     if (instruction == nullptr) continue;
     for (const Operand& operand : instruction->operands) {

@@ -33,7 +33,7 @@ struct RuleQuestion {
   const Rule* rule = nullptr;          ///< who asks; set by Asking::ask
 
   /// The direct operands of both places.
-  std::vector<Operand> operands() const;
+  Operands operands() const;
 };
 
 /// Whether prove --builtin asks it too; what only lint asks gets less time and less evidence.

@@ -27,10 +27,10 @@ class Shape {
     return true;
   }
   /// Outputs of a disjunction.
-  bool some(std::uint32_t i, std::vector<Operand>& found) const { return outputs(i, ExprOp::Or, found); }
-  bool all(std::uint32_t i, std::vector<Operand>& found) const { return outputs(i, ExprOp::And, found); }
+  bool some(std::uint32_t i, Operands& found) const { return outputs(i, ExprOp::Or, found); }
+  bool all(std::uint32_t i, Operands& found) const { return outputs(i, ExprOp::And, found); }
   /// Outputs that are all off where the expression holds.
-  bool off(std::uint32_t i, std::vector<Operand>& found) const {
+  bool off(std::uint32_t i, Operands& found) const {
     const ExprNode& node = at(i);
     if (node.op == ExprOp::And)
       return std::all_of(node.args.begin(), node.args.end(), [&](std::uint32_t arg) { return off(arg, found); });
@@ -38,7 +38,7 @@ class Shape {
   }
 
  private:
-  bool outputs(std::uint32_t i, ExprOp joint, std::vector<Operand>& found) const {
+  bool outputs(std::uint32_t i, ExprOp joint, Operands& found) const {
     if (at(i).op == joint)
       return std::all_of(at(i).args.begin(), at(i).args.end(),
                          [&](std::uint32_t arg) { return outputs(arg, joint, found); });
@@ -67,7 +67,7 @@ std::optional<StopShape> stopShapeOf(const Property& property) {
 bool excludesOutputs(const Property& property) {
   if (property.first.empty()) return false;
   const Shape shape(property.first);
-  std::vector<Operand> outputs;
+  Operands outputs;
   const ExprNode& root = property.first.root();
   if (property.kind == PropertyKind::Never) return root.op == ExprOp::And && shape.all(rootOf(property.first), outputs);
   return property.kind == PropertyKind::Always && root.op == ExprOp::Not && shape.at(root.args[0]).op == ExprOp::And &&

@@ -18,7 +18,7 @@ struct StopInput {
 /// `not I0.1 implies not (Q0.0 or Q0.1)`: any of the stops switches all the outputs off.
 struct StopShape {
   std::vector<StopInput> stops;
-  std::vector<Operand> outputs;
+  Operands outputs;
 };
 std::optional<StopShape> stopShapeOf(const Property& property);
 

@@ -24,7 +24,7 @@ constexpr double unknownMicroseconds = 10;   // instructions whose time is lost 
 class Times {
  public:
   explicit Times(const Facts& facts)
-      : facts_(facts), block_(facts.program().pous.size(), -1), rounds_(facts.instructions().size(), 0) {
+      : facts_(facts), block_(facts.program().pous.size(), -1), rounds_(facts.instructionCount(), 0) {
     for (std::uint32_t b = 0; b < block_.size(); ++b) of(b, 0);
   }
   /// Time of all rounds of the loop that begins with that FOR; 0 if it has no end.

@@ -13,7 +13,8 @@ constexpr int mostTransfers = 8;  // 001:3033
 
 bool sharesRung(const Facts& facts, const Instruction& a, const Instruction& b) {
   return facts.blockOf(a.id) == facts.blockOf(b.id) && facts.place(a.id).network == facts.place(b.id).network &&
-         facts.stack().at(a.id).source == facts.stack().at(b.id).source && facts.stack().at(a.id).source != nullptr;
+         facts.stack().at(a.id).source == facts.stack().at(b.id).source &&
+         facts.stack().at(a.id).source != StackPoint::noSource;
 }
 
 void checkClock(const Facts& facts, FindingSink& sink) {

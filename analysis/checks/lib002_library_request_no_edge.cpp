@@ -24,8 +24,8 @@ bool hasStart(const LibraryCall& call) {
 }
 
 /// Bits that the call writes: Done among them.
-std::vector<Operand> doneBits(const LibraryCall& call) {
-  std::vector<Operand> bits;
+Operands doneBits(const LibraryCall& call) {
+  Operands bits;
   for (std::size_t i = startOperand + 1; i < call.call->operands.size(); ++i) {
     const Operand& o = call.call->operands[i];
     if (o.kind == OperandKind::Direct && (o.width == Width::Bit || o.width == Width::Byte)) bits.push_back(o);
@@ -36,7 +36,7 @@ std::vector<Operand> doneBits(const LibraryCall& call) {
 /// Whether a network that asks an output of the call writes the start bit, or leaves the step that starts it.
 bool endsWithDone(const Facts& facts, const LibraryCall& call, const Operand& start) {
   if (start.area == Area::S) return true;
-  const std::vector<Operand> done = doneBits(call);
+  const Operands done = doneBits(call);
   const std::uint32_t cell = facts.index().cells().cell(start.area, start.offset, facts.blockOf(call.call->id));
   if (cell == facts.index().cells().size()) return false;
   return std::ranges::any_of(facts.index().at(cell), [&](std::uint32_t i) {
@@ -89,8 +89,8 @@ void checkPairs(const Facts& facts, FindingSink& sink, const CallInputs& inputs,
     if (isNew) continue;
     const Instruction& other = *found->second->call;
     const bool areBothEnabled = (inputs.enable(*call.call) & inputs.enable(other) & condition::Always) != 0;
-    const bool mayBeLeftOut = facts.execution().at(call.call->id).skippedBy != nullptr ||
-                              facts.execution().at(other.id).skippedBy != nullptr ||
+    const bool mayBeLeftOut = facts.execution().at(call.call->id).isSkipped() ||
+                              facts.execution().at(other.id).isSkipped() ||
                               facts.blockOf(call.call->id) != facts.blockOf(other.id);
     if (!areBothEnabled || mayBeLeftOut) continue;
     Finding& finding = sink.report(

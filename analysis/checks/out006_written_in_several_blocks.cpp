@@ -111,9 +111,11 @@ unsigned contested(const Facts& facts, Exclusion& exclusion, const std::vector<s
   unsigned bits = 0;
   for (std::size_t i = 0; i < classes.size(); ++i) {
     for (std::size_t k = i + 1; k < classes.size(); ++k) {
+      const unsigned both = classes[i].mask & classes[k].mask;
+      if ((both & ~bits) == 0) continue;  // nothing that is not known already
       if (classes[i].block != classes[k].block && !keepApart(facts, classes[i], classes[k]) &&
           !takeTurns(facts, exclusion, classes[i], classes[k]))
-        bits |= classes[i].mask & classes[k].mask;
+        bits |= both;
     }
   }
   return bits;
@@ -242,7 +244,7 @@ struct Sharers {
   bool runTogether(const Facts& facts) const {
     const auto always = std::count_if(firsts.begin(), firsts.end(), [&](const Access* access) {
       const ExecutionPoint& point = facts.execution().at(access->instruction);
-      return point.skippedBy == nullptr && !access->conditional &&
+      return !point.isSkipped() && !access->conditional &&
              facts.execution().runs(facts.blockOf(access->instruction)) == Runs::Once;
     });
     return always >= 2;

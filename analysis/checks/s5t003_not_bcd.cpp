@@ -67,8 +67,8 @@ void checkS5t003(const Facts& facts, FindingSink& sink) {
       const bool isConstant =
           made == StatementRole::Load && !maker->operands.empty() && maker->operands[0].kind == OperandKind::Constant;
       const bool isComputed = made == StatementRole::IntegerMath || made == StatementRole::IntegerStep;
-      const bool isNumber = made == StatementRole::Load && role != StatementRole::FromBcd &&
-                            isDeclaredNumber(flow, maker->operands.at(0));
+      const bool isNumber =
+          made == StatementRole::Load && role != StatementRole::FromBcd && isDeclaredNumber(flow, maker->operands[0]);
       const std::string fault = isConstant   ? faultOf(maker->operands[0], role)
                                 : isComputed ? fmt::format("{} leaves a binary number in ACCU1", Facts::text(*maker))
                                 : isNumber   ? fmt::format("{} is declared as a number", toString(maker->operands[0]))

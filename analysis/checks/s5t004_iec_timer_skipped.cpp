@@ -24,14 +24,14 @@ std::string reasonSkipped(const Facts& facts, const Instruction& call, const Ins
   const std::uint32_t block = facts.blockOf(call.id);
   const ExecutionPoint& point = facts.execution().at(call.id);
   if (!point.isReachable || isStartUpOnly(facts, block) || facts.execution().runs(block) == Runs::Never) return {};
-  if (point.skippedBy != nullptr) {
-    cause = point.skippedBy;
+  if (point.isSkipped()) {
+    cause = facts.skippedBy(call.id);
     return fmt::format("{} may leave it out", Facts::text(*cause));
   }
   if (facts.execution().runs(block) != Runs::AtMostOnce) return {};
   for (const std::uint32_t site : facts.calls().callsOf(block)) {
     const CallSite& caller = facts.calls().sites()[site];
-    const Instruction* skipper = facts.execution().at(caller.instruction->id).skippedBy;
+    const Instruction* skipper = facts.skippedBy(caller.instruction->id);
     if (skipper == nullptr && statementRole(*caller.instruction) != StatementRole::CallByRlo) continue;
     cause = skipper != nullptr ? skipper : caller.instruction;
     return fmt::format("{} is not called in every scan", facts.program().pous[block].name);

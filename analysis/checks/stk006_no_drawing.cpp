@@ -6,7 +6,6 @@
 
 #include "analysis/drawing/editor_verdict.hpp"
 #include "analysis/drawing/picture_shapes.hpp"
-#include "analysis/drawing/raise.hpp"
 #include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
@@ -26,14 +25,14 @@ void checkStk006(const Facts& facts, FindingSink& sink) {
     for (const Network& network : pou.networks) {
       if (!network.complete || network.drawing != nullptr || pictures.canBeDrawn(network)) continue;
       if (++count > 1 && isStl) continue;
-      const Raised fbd = raise(network, Form::Fbd, facts.target());
-      const Span place = fbd.at == nullptr ? network.span : fbd.at->span;
+      const PictureShapes::Refusal refusal = pictures.refusalOf(network);
+      const Span place = refusal.at == nullptr ? network.span : refusal.at->span;
       if (count == 1) {
         first = place;
-        reason = fbd.reason;
+        reason = refusal.reason;
       }
       if (!isStl)
-        sink.report(place, fmt::format("neither LAD nor FBD can show this network: {}", fbd.reason)).help =
+        sink.report(place, fmt::format("neither LAD nor FBD can show this network: {}", refusal.reason)).help =
             "divide the network, or keep the block as STL";
     }
     if (!isStl || count == 0) continue;

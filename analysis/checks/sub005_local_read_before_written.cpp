@@ -14,7 +14,7 @@ namespace {
 void checkTemps(const Facts& facts, FindingSink& sink) {
   eachOwnBlock(facts, [&](std::uint32_t block, const Flow& flow) {
     for (const TempRead& read : unwrittenTemps(facts, block)) {
-      const std::string name = read.operand->text.empty() ? toString(*read.operand) : read.operand->text;
+      const std::string name = read.operand->text.empty() ? toString(*read.operand) : std::string(read.operand->text);
       Finding& finding = sink.report(
           read.operand->span, fmt::format("{} reads {} before {} has written it{}", read.instruction->desc->stl, name,
                                           flow.pou->name, read.isOnEveryPath ? "" : " on every path"));

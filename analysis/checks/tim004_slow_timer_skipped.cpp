@@ -24,10 +24,11 @@ std::string reason(const Facts& facts, const InstructionPlace& place, const Inst
   if (pou.kind == PouKind::Interrupt) return "it stands in an interrupt routine, which runs when its event comes";
   if (facts.execution().runs(place.block) == Runs::Several)
     return fmt::format("{} may be called several times in a scan", pou.name);
-  if (point.skippedBy != nullptr && point.skippedBy->desc->control != Control::Lscr &&
-      point.skippedBy->desc->control != Control::ScrEndConditional) {
-    cause = point.skippedBy;
-    return fmt::format("{} may leave it out", Facts::text(*point.skippedBy));
+  const Instruction* skipper = facts.skippedBy(place.instruction->id);
+  if (skipper != nullptr && skipper->desc->control != Control::Lscr &&
+      skipper->desc->control != Control::ScrEndConditional) {
+    cause = skipper;
+    return fmt::format("{} may leave it out", Facts::text(*skipper));
   }
   if (facts.execution().runs(place.block) == Runs::AtMostOnce)
     return fmt::format("{} is not called in every scan", pou.name);

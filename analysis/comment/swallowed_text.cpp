@@ -42,6 +42,18 @@ struct FoundInstruction {
   bool isPadded = false;  ///< as an editor writes it
 };
 
+/// Whether a mnemonic begins with that character, which few of a comment do.
+bool mayBegin(char c) {
+  static const std::array<bool, 256> begins = [] {
+    std::array<bool, 256> result{};
+    for (const Desc& desc : s7200Instructions().all()) {
+      if (!desc.stl.empty()) result[static_cast<unsigned char>(desc.stl.front())] = true;
+    }
+    return result;
+  }();
+  return begins[static_cast<unsigned char>(c)];
+}
+
 class InstructionScanner {
  public:
   InstructionScanner(std::string_view text, const std::function<bool(std::string_view)>& isName)
@@ -49,6 +61,7 @@ class InstructionScanner {
 
   /// An instruction with all its operands at that place. `anyCase`: small letters too.
   std::optional<FoundInstruction> instructionAt(std::size_t at, bool anyCase) const {
+    if (at >= text_.size() || !mayBegin(anyCase ? asCapital(text_[at]) : text_[at])) return std::nullopt;
     std::size_t end = at;
     while (end < text_.size() && end - at <= longestMnemonic && !isGap(text_[end])) ++end;
     if (end - at > longestMnemonic) return std::nullopt;

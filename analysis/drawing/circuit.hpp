@@ -25,8 +25,8 @@ struct CircuitUse {
 
 struct CircuitNode {
   Shape shape = Shape::Contact;
-  const Desc* desc = nullptr;                      ///< of a negation circle: NOT
-  const std::vector<Operand>* operands = nullptr;  ///< of the element; null for a negation circle
+  const Desc* desc = nullptr;          ///< of a negation circle: NOT
+  const Operands* operands = nullptr;  ///< of the element; null for a negation circle
   Span span;
   std::uint32_t element = noElement;
   std::vector<std::uint32_t> inputs;  ///< nodes, or railNode

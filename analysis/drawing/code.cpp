@@ -30,7 +30,7 @@ std::optional<unsigned> EditorBitPool::takeHighest() {
   return bit;
 }
 
-void CircuitCode::add(const Desc* desc, std::vector<Operand> operands, Span span) {
+void CircuitCode::add(const Desc* desc, Operands operands, Span span) {
   CHECK(desc != nullptr, "stack operations are in the table");
   Instruction instruction;
   instruction.desc = desc;
@@ -65,12 +65,12 @@ void CircuitCode::recall(unsigned bit, Role form, std::uint32_t n) {
 }
 
 void CircuitCode::instruction(std::uint32_t n) {
-  add(node(n).desc, node(n).operands == nullptr ? std::vector<Operand>{} : *node(n).operands, node(n).span);
+  add(node(n).desc, node(n).operands == nullptr ? Operands{} : *node(n).operands, node(n).span);
   mark(n);
 }
 
 void CircuitCode::call(std::uint32_t n, const std::vector<unsigned>& bits) {
-  std::vector<Operand> operands = *node(n).operands;
+  Operands operands = *node(n).operands;
   std::size_t next = 0;
   for (Operand& operand : operands) {
     if (operand.kind != OperandKind::Missing) continue;
@@ -84,7 +84,7 @@ void CircuitCode::call(std::uint32_t n, const std::vector<unsigned>& bits) {
 
 bool CircuitCode::iecOutput(std::uint32_t n) {
   constexpr std::size_t q = iecOutputOperand;
-  std::vector<Operand>& operands = lowered_.instructions.back().operands;
+  Operands& operands = lowered_.instructions.back().operands;
   if (operands.size() <= q) operands.resize(q + 1);
   if (operands[q].kind == OperandKind::Missing) {
     const std::optional<unsigned> bit = pool_.takeLowest();

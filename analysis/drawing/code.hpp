@@ -55,7 +55,7 @@ class CircuitCode {
   Lowered take() { return std::move(lowered_); }
 
  private:
-  void add(const Desc* desc, std::vector<Operand> operands, Span span);
+  void add(const Desc* desc, Operands operands, Span span);
 
   const Circuit& circuit_;
   EditorBitPool pool_;

@@ -23,7 +23,7 @@ EditorBits bitsOf(const Operand& operand) {
   return result;
 }
 
-EditorBits bitsOf(const std::vector<Operand>& operands) {
+EditorBits bitsOf(const Operands& operands) {
   EditorBits result = 0;
   for (const Operand& operand : operands) result |= bitsOf(operand);
   return result;

@@ -20,13 +20,7 @@ namespace rungproof {
 namespace {
 
 constexpr std::string_view behindAPoint = "joins a branch behind a point that also feeds something else";
-
-std::string nameOf(const Instruction& instruction) {
-  std::string text(instruction.desc->stl);
-  if (!instruction.operands.empty() && instruction.operands[0].kind != OperandKind::Missing)
-    text += " " + toString(instruction.operands[0]);
-  return text;
-}
+constexpr std::string_view beginsSecondRung = "begins a second rung in the network";
 
 class Raising {
  public:
@@ -56,7 +50,11 @@ class Raising {
     result_.reason = std::move(reason);
     result_.at = at;
   }
-  void refuseHere(std::string_view reason) { refuse(&current(), fmt::format("{} {}", nameOf(current()), reason)); }
+  void refuse(const Instruction& at, std::string_view clause) {
+    if (!failed_) result_.clause = clause;
+    refuse(&at, fmt::format("{} {}", nameInReason(at), clause));
+  }
+  void refuseHere(std::string_view clause) { refuse(current(), clause); }
   const Instruction& current() const { return network_.instructions[at_]; }
 
   // ---- Elements and levels --------------------------------------------------------------------------
@@ -381,7 +379,7 @@ class Raising {
     result_.comparedAddresses = branches.comparedAddresses;
     if (branches.circuits > 1) {
       const Instruction* second = instructionOf(branches.second);
-      return refuse(second, fmt::format("{} begins a second rung in the network", nameOf(*second)));
+      return refuse(*second, beginsSecondRung);
     }
     if (branches.lowered.fault)
       return refuse(instructionOf(branches.lowered.fault->element), branches.lowered.fault->message);
@@ -408,6 +406,13 @@ class Raising {
 };
 
 }  // namespace
+
+std::string nameInReason(const Instruction& instruction) {
+  std::string text(instruction.desc->stl);
+  if (!instruction.operands.empty() && instruction.operands[0].kind != OperandKind::Missing)
+    text += " " + toString(instruction.operands[0]);
+  return text;
+}
 
 Raised raise(const Network& network, Form form, const Target& target) {
   return isStep7(target) ? raiseStep7(network, form) : Raising(network, form, target).run();

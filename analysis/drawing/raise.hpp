@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "ir/drawing.hpp"
 #include "ir/program.hpp"
@@ -22,8 +23,13 @@ struct Raised {
   std::optional<Drawing> drawing;
   std::string reason;  ///< without a drawing: why, as one clause, "LD I0.1 begins a second rung in the network"
   const Instruction* at = nullptr;  ///< the instruction concerned
-  bool comparedAddresses = false;   ///< whether it depends on which addresses of the network overlap
+  /// What `reason` says behind nameInReason(*at), where it is no more than these two; otherwise empty.
+  std::string_view clause = {};
+  bool comparedAddresses = false;  ///< whether it depends on which addresses of the network overlap
 };
+
+/// "LD I0.1": mnemonic and first operand.
+std::string nameInReason(const Instruction& instruction);
 
 /// Draws a network of STL. `form`: Ladder or Fbd. Does not look at Network::drawing.
 Raised raise(const Network& network, Form form, const Target& target = {});

@@ -58,8 +58,7 @@ class RaisingStep7 {
   }
   LogicLevel& level() { return levels_.back(); }
 
-  std::uint32_t add(Shape shape, const Desc* desc, const std::vector<std::uint32_t>& from,
-                    std::vector<Operand> operands) {
+  std::uint32_t add(Shape shape, const Desc* desc, const std::vector<std::uint32_t>& from, Operands operands) {
     Element element;
     element.shape = shape;
     element.desc = desc;
@@ -213,10 +212,10 @@ class RaisingStep7 {
     coil(std::exchange(loaded_, {}));
   }
 
-  void coil(std::vector<Operand> values) {
+  void coil(Operands values) {
     if (levels_.size() > 1) return refuse("stands inside of parentheses");
     if (level().isFresh && !hasCoil_) return refuse("has no logic in this network");
-    std::vector<Operand> operands = current().operands;
+    Operands operands = current().operands;
     operands.insert(operands.end(), values.begin(), values.end());
     const std::uint32_t from = ended();
     add(Shape::Coil, current().desc, {from}, std::move(operands));
@@ -255,7 +254,7 @@ class RaisingStep7 {
   std::size_t at_ = 0;
   Drawing drawing_;
   std::vector<LogicLevel> levels_ = std::vector<LogicLevel>(1);
-  std::vector<Operand> loaded_;  ///< L that a comparison or a timer takes
+  Operands loaded_;  ///< L that a comparison or a timer takes
   std::vector<EditorBranch> branches_;
   bool hasCoil_ = false;
   bool isOpenEnded_ = false;  ///< something was checked and no coil takes it yet

@@ -40,7 +40,7 @@ struct EncoderOptions {
   bool initialRetentive = false;                           ///< retentive cells start with any value
   std::optional<std::vector<RetentiveRange>> retentive{};  ///< those of the system block; nothing: the CPU's default
   std::vector<ExternalBytes> externals;
-  std::vector<Operand> observed;  ///< direct operands that properties read: they shape the state variables
+  Operands observed;  ///< direct operands that properties read: they shape the state variables
   /// By Instruction::id: what cannot reach any question and is not encoded (analysis/unread/cone_of_influence.hpp).
   std::vector<bool> isLeftOut;
   /// What blocks without text write is as much as their contract says (ir/s7200/call_contract.hpp); false: anything.
@@ -55,7 +55,7 @@ struct EncoderOptions {
   /// Left or followed by the final encoding; may be missing.
   std::shared_ptr<Trail> trail;
   /// What properties read in front of every instruction: interrupts and 1 ms ticks that write it are let in everywhere.
-  std::vector<Operand> watched;
+  Operands watched;
   /// Called in front of every instruction that may run, for properties that hold at every instruction.
   std::function<void(Machine<Graph>&, const Instruction&)> atInstruction;
 };

@@ -20,7 +20,7 @@ enum class Equality : std::uint8_t { Equal, Different, Unknown };
 struct EquivalenceOptions {
   ProverOptions prover;  ///< timeout: for the whole comparison
   AddressPairs pairs;
-  std::vector<Operand> observed;
+  Operands observed;
   std::vector<Property> assumptions;  ///< that speak of both programs (ProductOptions)
   bool steadyInputs = false;
   std::uint32_t latency = 0;

@@ -281,7 +281,7 @@ class RandomWalks {
 
 std::vector<ObservedBit> namedOutputs(const Program& before, const Program& after, const EquivalenceOptions& options) {
   std::vector<ObservedBit> outputs;
-  std::vector<Operand> operands = options.observed;
+  Operands operands = options.observed;
   const auto isOutput = [](const TraceSignal& signal) { return isOutputArea(signal.operand.area); };
   const auto add = [&](const std::optional<Address>& before, const std::optional<Address>& after) {
     const ComparedRange range = before ? options.pairs.comparedFrom(*before) : options.pairs.comparedAlone(*after);

@@ -52,7 +52,7 @@ struct ProductOptions {
   EncoderOptions encoder;
   std::shared_ptr<Trail> trailBefore, trailAfter;  ///< left or followed by the encodings; may be missing
   AddressPairs pairs;
-  std::vector<Operand> observed;  ///< addresses of OLD; empty: all outputs that either can write
+  Operands observed;  ///< addresses of OLD; empty: all outputs that either can write
   /// Assumptions that speak of both programs; an operand of NEW has a text that begins with newSidePrefix.
   std::vector<Property> assumptions;
   bool steadyInputs = false;   ///< an immediate read gives what the image has
@@ -69,9 +69,8 @@ struct PulseSignal {
 std::string nameOf(const PulseSignal& signal);
 /// Those that are compared: of the generators that PLS in either program sets going, unless the map moves their outputs
 /// or outputs come with latency.
-std::vector<PulseSignal> comparedPulses(const std::vector<Operand>& observed, const AddressPairs& pairs,
-                                        std::uint32_t latency, const UsedPulses& isUsed,
-                                        const std::array<PulseForm, 2>& forms);
+std::vector<PulseSignal> comparedPulses(const Operands& observed, const AddressPairs& pairs, std::uint32_t latency,
+                                        const UsedPulses& isUsed, const std::array<PulseForm, 2>& forms);
 
 /// An output bit or word, and whether the two programs leave it different at the end of the scan (settling and latency
 /// counted in).

@@ -20,9 +20,8 @@ std::string nameOf(const PulseSignal& signal) {
   return "PLS" + std::to_string(signal.output) + '.' + std::string(pulseNumberName(signal.number));
 }
 
-std::vector<PulseSignal> comparedPulses(const std::vector<Operand>& observed, const AddressPairs& pairs,
-                                        std::uint32_t latency, const UsedPulses& isUsed,
-                                        const std::array<PulseForm, 2>& forms) {
+std::vector<PulseSignal> comparedPulses(const Operands& observed, const AddressPairs& pairs, std::uint32_t latency,
+                                        const UsedPulses& isUsed, const std::array<PulseForm, 2>& forms) {
   std::vector<PulseSignal> signals;
   if (!observed.empty() || latency > 0) return signals;
   for (std::uint32_t output = 0; output < isUsed.size(); ++output) {

@@ -26,22 +26,22 @@ enum class Pointed : std::uint8_t {
   OfCall     ///< S7-300/400: what a call gives for a formal parameter; an access of that call
 };
 
-/// A row of elements of one width that an instruction reads or writes.
+/// A row of elements of one width that an instruction reads or writes; sixteen bytes, as a long program has millions.
 struct Access {
   std::uint32_t instruction = 0;  ///< Instruction::id
   std::uint32_t offset = 0;       ///< first byte, or first number for T, C, AC and HC
   std::uint16_t count = 1;        ///< elements that are touched for certain; bits for S, R and SHRB
   std::uint16_t most = 1;         ///< elements that may be touched (N from memory, strings, tables)
   std::uint8_t operand = 0;       ///< index in Instruction::operands, or impliedOperand
-  Area area = Area::V;            ///< through a pointer: the area that holds the pointer, or see `pointed`
-  Width width = Width::Bit;       ///< T and C: Bit is the timer or counter bit, Word its current value
   std::uint8_t bit = 0;           ///< first bit
-  bool write = false;
-  bool conditional = false;  ///< only with power flow; otherwise in every execution
-  bool viaPointer = false;   ///< the place is what the pointer at area/offset points to
-  Pointed pointed = Pointed::Anywhere;
-  bool isBox = false;        ///< the number of a timer or counter box
-  bool maybe = false;        ///< the direction is not known (parameter of a block without text)
+  Area area : 6 = Area::V;        ///< through a pointer: the area that holds the pointer, or see `pointed`
+  Pointed pointed : 2 = Pointed::Anywhere;
+  Width width : 3 = Width::Bit;  ///< T and C: Bit is the timer or counter bit, Word its current value
+  bool write : 1 = false;
+  bool conditional : 1 = false;  ///< only with power flow; otherwise in every execution
+  bool viaPointer : 1 = false;   ///< the place is what the pointer at area/offset points to
+  bool isBox : 1 = false;        ///< the number of a timer or counter box
+  bool maybe : 1 = false;        ///< the direction is not known (parameter of a block without text)
 
   bool byNumber() const { return addressedByNumber(area); }
   /// Bytes (numbers for T, C, AC, HC) from `offset` that `elements` elements cover.

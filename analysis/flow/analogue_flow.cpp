@@ -16,7 +16,7 @@ bool carriesValues(const Instruction& instruction) {
 
 }  // namespace
 
-AnalogueFlow::AnalogueFlow(const Facts& facts) : concerned_(facts.instructions().size(), 0) {
+AnalogueFlow::AnalogueFlow(const Facts& facts) : concerned_(facts.instructionCount(), 0) {
   spread(facts, true);
   spread(facts, false);
 }
@@ -42,9 +42,8 @@ void AnalogueFlow::spread(const Facts& facts, bool forwards) {
   bool hasNew = true;
   for (int round = 0; hasNew && round < mostRounds; ++round) {
     hasNew = false;
-    for (std::size_t n = 0; n < facts.instructions().size(); ++n) {
-      const InstructionPlace& place = facts.instructions()[forwards ? n : facts.instructions().size() - 1 - n];
-      const std::uint32_t id = place.instruction->id;
+    for (std::uint32_t n = 0; n < facts.instructionCount(); ++n) {
+      const std::uint32_t id = forwards ? n : facts.instructionCount() - 1 - n;
       const auto accesses = facts.accesses().of(id);
       // Forwards a value comes in by what is read, backwards by what is written.
       const bool carries = std::ranges::any_of(accesses, [&](const Access& a) {
@@ -52,7 +51,7 @@ void AnalogueFlow::spread(const Facts& facts, bool forwards) {
       });
       if (!carries) continue;
       concerned_[id] = 1;
-      if (!carriesValues(*place.instruction)) continue;
+      if (!carriesValues(facts.instruction(id))) continue;
       for (const Access& access : accesses) {
         if (access.write == forwards && !access.viaPointer && access.most == 1 && access.width != Width::Bit)
           hasNew = mark(access, true) || hasNew;

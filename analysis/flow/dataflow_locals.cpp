@@ -33,7 +33,7 @@ class Pass {
 
  private:
   void arrive(std::uint32_t i) {
-    const auto found = sent_.find(i);
+    const auto found = sent_.empty() ? sent_.end() : sent_.find(i);
     if (found == sent_.end()) return;
     written_ = isLive_ ? written_ & found->second : found->second;
     isLive_ = true;
@@ -47,9 +47,10 @@ class Pass {
   void step(std::uint32_t i) {
     const FlowStep& step = flow_.steps[i];
     const Instruction& instruction = *step.instruction;
-    const bool isAlways = (facts_.stack().at(instruction.id).flow & condition::Always) != 0;
-    for (const Access& access : facts_.accesses().of(instruction.id)) read(access);
-    for (const Access& access : facts_.accesses().of(instruction.id)) {
+    const bool isAlways = (facts_.stack().at(step.id).flow & condition::Always) != 0;
+    const std::span<const Access> accesses = facts_.accesses().of(step.id);
+    for (const Access& access : accesses) read(access);
+    for (const Access& access : accesses) {
       if (access.write && access.area == Area::L && !access.viaPointer) written_ |= localBitsOf(access);
     }
     switch (instruction.desc->control) {

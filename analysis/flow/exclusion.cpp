@@ -48,6 +48,7 @@ Exclusion::Demand Exclusion::bitDemand(const Operand& bit, bool on) {
 /// Steps of a block follow each other where SCRT alone passes on, to one step at a time, and one step at most is set
 /// otherwise: the first.
 void Exclusion::findSteps() {
+  if (facts_.placesOf([](const Desc& desc) { return desc.control == Control::Lscr; }).empty()) return;
   std::set<std::uint32_t> set;
   bool isOneAtATime = true;
   for (std::uint32_t block = 0; block < facts_.program().pous.size(); ++block) {
@@ -202,12 +203,19 @@ const Exclusion::Ways& Exclusion::toBlock(std::uint32_t block, int depth) {
 
 /// A coil writes whether its rung is closed or not; what runs with power flow only demands its rung as well.
 std::uint32_t Exclusion::waysTo(std::uint32_t instruction) {
-  Ways ways = toBlock(facts_.blockOf(instruction), 0);
+  const std::uint32_t block = facts_.blockOf(instruction);
   const Desc& desc = *facts_.instruction(instruction).desc;
-  if (desc.execution == Execution::Conditional || (desc.control == Control::Call)) {
-    const Way own = at(instruction);
-    for (Way& way : ways) way.insert(way.end(), own.begin(), own.end());
+  if (desc.execution != Execution::Conditional && desc.control != Control::Call) {
+    const auto known = toAllOf_.find(block);
+    return known != toAllOf_.end() ? known->second : toAllOf_[block] = numberOf(toBlock(block, 0));
   }
+  Ways ways = toBlock(block, 0);
+  const Way own = at(instruction);
+  for (Way& way : ways) way.insert(way.end(), own.begin(), own.end());
+  return numberOf(std::move(ways));
+}
+
+std::uint32_t Exclusion::numberOf(Ways ways) {
   for (Way& way : ways) {
     std::ranges::sort(way);
     way.erase(std::ranges::unique(way).begin(), way.end());

@@ -42,12 +42,14 @@ class Exclusion {
   Way behind(const Network& network, std::size_t at, int depth);
   const Ways& toBlock(std::uint32_t block, int depth);
   Way at(std::uint32_t instruction);
+  std::uint32_t numberOf(Ways ways);
   bool contradict(const Demand& a, const Demand& b) const;
   bool contradict(const Way& a, const Way& b) const;
   void findSteps();
 
   const Facts& facts_;
   std::map<std::uint32_t, Ways> blocks_;
+  std::map<std::uint32_t, std::uint32_t> toAllOf_;  ///< by block: number of the ways to what its rungs do not decide
   std::map<Ways, std::uint32_t> numbers_;
   std::vector<const Ways*> ways_;                     ///< by number
   std::map<std::uint32_t, Demand> segments_;          ///< by instruction in an SCR segment: its step is on

@@ -88,15 +88,15 @@ void ExecutionTable::sweep(const Flow& flow, const StackRun& stack) {
   const auto end = static_cast<std::uint32_t>(flow.steps.size());
   std::vector<std::int32_t> loops(end + 1, 0);
   std::uint32_t skipEnd = 0;
-  const Instruction* skipper = nullptr;
+  std::uint32_t skipper = ExecutionPoint::noSkipper;
   for (std::uint32_t i = 0; i < end; ++i) {
     const FlowStep& step = flow.steps[i];
     const Instruction& instruction = *step.instruction;
-    if (i < skipEnd) points_[instruction.id].skippedBy = skipper;
+    if (i < skipEnd) points_[instruction.id].skipper = skipper;
     const auto skipTo = [&](std::uint32_t target) {
       if (target <= skipEnd) return;
       skipEnd = target;
-      skipper = &instruction;
+      skipper = instruction.id;
     };
     switch (instruction.desc->control) {
       case Control::BlockEnd: skipTo(end); break;
@@ -199,7 +199,7 @@ void ExecutionTable::count(const Program& program, const CallGraph& calls, const
         possible[site.callee] = std::min(possible[site.callee] + times * possible[block], 1000);
         const bool isAlwaysCalled =
             (flow & condition::Always) != 0 || statementRole(*site.instruction) == StatementRole::Call;
-        if (isAlwaysCalled && point.skippedBy == nullptr) certain[site.callee] += certain[block];
+        if (isAlwaysCalled && !point.isSkipped()) certain[site.callee] += certain[block];
         Condition known = flow | point.within | conditions_[block];
         known &= condition::FirstScan | condition::Pulse;
         conditions_[site.callee] =

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "analysis/flow/call_graph.hpp"
@@ -15,10 +16,14 @@ namespace rungproof {
 enum class Runs : std::uint8_t { Never, AtMostOnce, Once, Several };
 
 struct ExecutionPoint {
-  bool isReachable = true;                 ///< some path from the start of its block leads here
-  bool inLoop = false;                     ///< between FOR and NEXT, or between a label and a jump back to it
-  Condition within = 0;                    ///< what the jumps and returns around it leave: FirstScan, Pulse
-  const Instruction* skippedBy = nullptr;  ///< JMP, LSCR, CRET ... that may leave it out in a scan; null: none
+  bool isReachable = true;  ///< some path from the start of its block leads here
+  bool inLoop = false;      ///< between FOR and NEXT, or between a label and a jump back to it
+  Condition within = 0;     ///< what the jumps and returns around it leave: FirstScan, Pulse
+  /// Instruction::id of the JMP, LSCR, CRET ... that may leave it out in a scan.
+  std::uint32_t skipper = noSkipper;
+
+  static constexpr std::uint32_t noSkipper = std::numeric_limits<std::uint32_t>::max();
+  bool isSkipped() const { return skipper != noSkipper; }
 };
 
 class ExecutionTable {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "analysis/flow/dataflow_pointers.hpp"
 #include "analysis/flow/pulse_bits.hpp"
@@ -29,9 +30,9 @@ Facts::Facts(const Program& program, std::span<const ExternalRange> externals, S
       surroundings_(std::move(around)),
       externals_(externals.begin(), externals.end()),
       plan_(program),
-      places_(placesIn(program, plan_)),
       accesses_(program, plan_),
-      blocks_(blocksOf(places_)),
+      blocks_(blocksOf(plan_)),
+      firstOf_(firstsOf(plan_)),
       index_(program, accesses_, blocks_),
       bits_(accesses_, index_.cells(), blocks_),
       calls_(program, plan_),
@@ -64,23 +65,41 @@ bool Facts::hasUnreadCode(const Pou& block) const {
          std::ranges::any_of(block.networks, [](const Network& network) { return !network.complete; });
 }
 
-std::vector<InstructionPlace> Facts::placesIn(const Program& program, const Plan& plan) {
-  std::vector<InstructionPlace> places;
-  places.reserve(program.instructionCount());
-  for (std::uint32_t block = 0; block < plan.flows.size(); ++block) {
-    const Flow& flow = plan.flows[block];
-    for (std::uint32_t step = 0; step < flow.steps.size(); ++step) {
-      places.push_back({flow.steps[step].instruction, block, step, flow.steps[step].network});
-    }
+std::vector<std::uint32_t> Facts::firstsOf(const Plan& plan) {
+  std::vector<std::uint32_t> firsts;
+  std::uint32_t next = 0;
+  for (const Flow& flow : plan.flows) {
+    firsts.push_back(next);
+    next += static_cast<std::uint32_t>(flow.steps.size());
   }
-  return places;
+  return firsts;
 }
 
-std::vector<std::uint32_t> Facts::blocksOf(std::span<const InstructionPlace> places) {
+std::vector<std::uint32_t> Facts::blocksOf(const Plan& plan) {
   std::vector<std::uint32_t> blocks;
-  blocks.reserve(places.size());
-  for (const InstructionPlace& place : places) blocks.push_back(place.block);
+  blocks.reserve(plan.program->instructionCount());
+  for (std::uint32_t block = 0; block < plan.flows.size(); ++block)
+    blocks.insert(blocks.end(), plan.flows[block].steps.size(), block);
   return blocks;
+}
+
+std::vector<InstructionPlace> Facts::placesIn(std::span<const std::vector<std::uint32_t>* const> rows) const {
+  std::vector<std::uint32_t> ids;
+  std::vector<std::ptrdiff_t> starts{0};
+  for (const std::vector<std::uint32_t>* row : rows) {
+    ids.insert(ids.end(), row->begin(), row->end());
+    starts.push_back(std::ssize(ids));
+  }
+  for (std::size_t width = 1; width < rows.size(); width *= 2) {
+    for (std::size_t i = 0; i + width < rows.size(); i += 2 * width) {
+      std::inplace_merge(ids.begin() + starts[i], ids.begin() + starts[i + width],
+                         ids.begin() + starts[std::min(i + 2 * width, rows.size())]);
+    }
+  }
+  std::vector<InstructionPlace> found;
+  found.reserve(ids.size());
+  for (const std::uint32_t id : ids) found.push_back(place(id));
+  return found;
 }
 
 void Facts::countUses() {
@@ -133,10 +152,10 @@ void Facts::noteOperand(std::uint32_t id, OperandKind kind) {
 }
 
 void Facts::collectBoxes() {
-  roles_.resize(places_.size());
+  roles_.resize(instructionCount());
   const Desc* desc = nullptr;
   std::vector<std::uint32_t>* users = nullptr;  // of that descriptor
-  for (const InstructionPlace& place : places_) {
+  for (const InstructionPlace& place : instructions()) {
     const Instruction& instruction = *place.instruction;
     if (instruction.desc != desc) {
       desc = instruction.desc;

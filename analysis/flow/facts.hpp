@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <span>
 #include <string>
@@ -36,6 +38,51 @@ struct InstructionPlace {
   std::uint32_t network;  ///< index in Pou::networks
 };
 
+/// The instructions of a program in its order, each with its place, which is made when it is asked for: a long program
+/// has no room for a table of them.
+class InstructionRow {
+ public:
+  class Iterator {
+   public:
+    using value_type = InstructionPlace;
+    using difference_type = std::ptrdiff_t;
+    using iterator_category = std::input_iterator_tag;
+
+    Iterator() = default;
+    Iterator(const std::vector<Flow>* flows, std::uint32_t block) : flows_(flows), block_(block) { passEmpty(); }
+    InstructionPlace operator*() const {
+      const FlowStep& step = (*flows_)[block_].steps[step_];
+      return {step.instruction, block_, step_, step.network};
+    }
+    Iterator& operator++() {
+      ++step_;
+      passEmpty();
+      return *this;
+    }
+    Iterator operator++(int) {
+      const Iterator before = *this;
+      ++*this;
+      return before;
+    }
+    bool operator==(const Iterator& other) const { return block_ == other.block_ && step_ == other.step_; }
+
+   private:
+    void passEmpty() {
+      for (; block_ < flows_->size() && step_ == (*flows_)[block_].steps.size(); step_ = 0) ++block_;
+    }
+
+    const std::vector<Flow>* flows_ = nullptr;
+    std::uint32_t block_ = 0, step_ = 0;
+  };
+
+  explicit InstructionRow(const std::vector<Flow>& flows) : flows_(flows) {}
+  Iterator begin() const { return {&flows_, 0}; }
+  Iterator end() const { return {&flows_, static_cast<std::uint32_t>(flows_.size())}; }
+
+ private:
+  const std::vector<Flow>& flows_;
+};
+
 class Facts {
  public:
   explicit Facts(const Program& program, std::span<const ExternalRange> externals = {}, Surroundings around = {});
@@ -50,21 +97,18 @@ class Facts {
   /// What a panel or a network writes, as it was declared; tags of a panel are part of it.
   std::span<const ExternalRange> externals() const { return externals_; }
 
-  /// All instructions in program order; the index is Instruction::id.
-  std::span<const InstructionPlace> instructions() const { return places_; }
+  /// All instructions in program order, which is that of Instruction::id.
+  InstructionRow instructions() const { return InstructionRow(plan_.flows); }
+  std::uint32_t instructionCount() const { return static_cast<std::uint32_t>(blocks_.size()); }
   /// Those of the instructions whose descriptor fits, in program order, without a look at the others: for rules that
   /// speak of few.
   template <class Fits>
   std::vector<InstructionPlace> placesOf(Fits fits) const {
-    std::vector<std::uint32_t> ids;
+    std::vector<const std::vector<std::uint32_t>*> rows;
     for (const auto& [desc, users] : users_) {
-      if (fits(*desc)) ids.insert(ids.end(), users.begin(), users.end());
+      if (fits(*desc)) rows.push_back(&users);
     }
-    std::sort(ids.begin(), ids.end());
-    std::vector<InstructionPlace> found;
-    found.reserve(ids.size());
-    for (const std::uint32_t id : ids) found.push_back(places_[id]);
-    return found;
+    return placesIn(rows);
   }
   std::vector<InstructionPlace> placesOf(Role role) const {
     return placesOf([role](const Desc& desc) { return desc.role == role; });
@@ -73,14 +117,17 @@ class Facts {
   std::span<const std::uint32_t> withOperand(OperandKind kind) const {
     return withOperand_[static_cast<std::size_t>(kind)];
   }
-  const Instruction& instruction(std::uint32_t id) const { return *places_[id].instruction; }
+  const Instruction& instruction(std::uint32_t id) const { return *stepOf(id).instruction; }
   /// Without a look at the instruction.
   Role roleAt(std::uint32_t id) const { return roles_[id]; }
-  const InstructionPlace& place(std::uint32_t id) const { return places_[id]; }
-  const Pou& pouOf(std::uint32_t id) const { return program_.pous[places_[id].block]; }
-  const Network& networkOf(std::uint32_t id) const { return pouOf(id).networks[places_[id].network]; }
-  const Flow& flowOf(std::uint32_t id) const { return plan_.flows[places_[id].block]; }
-  std::uint32_t blockOf(std::uint32_t id) const { return places_[id].block; }
+  InstructionPlace place(std::uint32_t id) const {
+    const FlowStep& step = stepOf(id);
+    return {step.instruction, blocks_[id], id - firstOf_[blocks_[id]], step.network};
+  }
+  const Pou& pouOf(std::uint32_t id) const { return program_.pous[blocks_[id]]; }
+  const Network& networkOf(std::uint32_t id) const { return pouOf(id).networks[stepOf(id).network]; }
+  const Flow& flowOf(std::uint32_t id) const { return plan_.flows[blocks_[id]]; }
+  std::uint32_t blockOf(std::uint32_t id) const { return blocks_[id]; }
 
   const AccessTable& accesses() const { return accesses_; }
   const AccessIndex& index() const { return index_; }
@@ -92,6 +139,11 @@ class Facts {
   const StackRun& stack() const { return stack_; }
   const ExecutionTable& execution() const { return execution_; }
   const PointerTable& pointers() const { return *pointers_; }
+  /// What may leave the instruction out in a scan, or nullptr (ExecutionPoint::skipper).
+  const Instruction* skippedBy(std::uint32_t id) const {
+    const ExecutionPoint& point = execution_.at(id);
+    return point.isSkipped() ? &instruction(point.skipper) : nullptr;
+  }
 
   /// Whether some code is not visible: protected blocks, networks that could not be read. Rules that speak of
   /// something missing are silent then.
@@ -142,8 +194,14 @@ class Facts {
   static std::string text(const Instruction& instruction);
 
  private:
-  static std::vector<InstructionPlace> placesIn(const Program& program, const Plan& plan);
-  static std::vector<std::uint32_t> blocksOf(std::span<const InstructionPlace> places);
+  /// Of all the ids in ascending rows, in program order.
+  std::vector<InstructionPlace> placesIn(std::span<const std::vector<std::uint32_t>* const> rows) const;
+  static std::vector<std::uint32_t> blocksOf(const Plan& plan);
+  static std::vector<std::uint32_t> firstsOf(const Plan& plan);
+  const FlowStep& stepOf(std::uint32_t id) const {
+    const std::uint32_t block = blocks_[id];
+    return plan_.flows[block].steps[id - firstOf_[block]];
+  }
   void findPulses();
   void collectBoxes();
   void noteOperand(std::uint32_t id, OperandKind kind);
@@ -155,12 +213,12 @@ class Facts {
   Surroundings surroundings_;
   std::vector<ExternalRange> externals_;
   Plan plan_;
-  std::vector<InstructionPlace> places_;
   std::unordered_map<const Desc*, std::vector<std::uint32_t>> users_;  ///< ids of the instructions of each descriptor
   std::array<std::vector<std::uint32_t>, 7> withOperand_;              ///< by OperandKind
   std::vector<Role> roles_;                                            ///< by Instruction::id
   AccessTable accesses_;
-  std::vector<std::uint32_t> blocks_;  ///< by Instruction::id
+  std::vector<std::uint32_t> blocks_;   ///< by Instruction::id
+  std::vector<std::uint32_t> firstOf_;  ///< by block: id of its first instruction
   AccessIndex index_;
   BitWrites bits_;
   std::vector<std::uint8_t> writers_, readers_;

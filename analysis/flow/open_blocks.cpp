@@ -61,7 +61,7 @@ class Opening {
       }
     });
     switch (statementRole(instruction)) {
-      case StatementRole::OpenBlock: return open(state, instruction.operands.at(0));
+      case StatementRole::OpenBlock: return open(state, instruction.operands[0]);
       case StatementRole::ExchangeBlocks:
         std::swap(state.db, state.di);
         state.isDiMoved = !state.isDiMoved;
@@ -96,7 +96,7 @@ class Opening {
     if (!instruction.operands.empty()) return saved_.contains(toString(instruction.operands[0]));
     if (&step == first_) return false;
     const Instruction& before = *(&step - 1)->instruction;
-    return statementRole(before) == StatementRole::Load && saved_.contains(toString(before.operands.at(0)));
+    return statementRole(before) == StatementRole::Load && saved_.contains(toString(before.operands[0]));
   }
 
   const Program& program_;

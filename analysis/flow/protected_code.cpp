@@ -4,7 +4,7 @@
 namespace rungproof {
 
 std::vector<std::uint8_t> protectedCode(const Facts& facts) {
-  std::vector<std::uint8_t> marks(facts.instructions().size(), 0);
+  std::vector<std::uint8_t> marks(facts.instructionCount(), 0);
   for (const Flow& flow : facts.plan().flows) {
     bool isOff = false;
     for (const FlowStep& step : flow.steps) {

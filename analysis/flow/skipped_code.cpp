@@ -10,17 +10,18 @@ namespace rungproof {
 std::vector<SkippedCode> skippedCode(const Facts& facts, const std::function<bool(const Instruction&)>& isMeant) {
   std::vector<SkippedCode> groups;
   std::unordered_map<std::uint64_t, std::size_t> byCause;
-  for (const InstructionPlace& place : facts.instructions()) {
-    const Instruction& instruction = *place.instruction;
-    if (!isMeant(instruction)) continue;
-    const Instruction* cause = facts.execution().at(instruction.id).skippedBy;
-    if (cause != nullptr && cause->desc->control == Control::For) continue;
-    const bool isConditionalBlock = facts.program().pous[place.block].kind == PouKind::Subroutine &&
-                                    facts.execution().runs(place.block) == Runs::AtMostOnce;
+  for (std::uint32_t id = 0; id < facts.instructionCount(); ++id) {
+    const std::uint32_t block = facts.blockOf(id);
+    const bool isConditionalBlock =
+        facts.execution().runs(block) == Runs::AtMostOnce && facts.program().pous[block].kind == PouKind::Subroutine;
+    const Instruction* cause = facts.skippedBy(id);
     if (cause == nullptr && !isConditionalBlock) continue;
+    if (cause != nullptr && cause->desc->control == Control::For) continue;
+    const Instruction& instruction = facts.instruction(id);
+    if (!isMeant(instruction)) continue;
     // What could not be read may be the condition that is always met.
     if (cause == nullptr ? facts.hasUnreadCode() : facts.isUnread(cause->id)) continue;
-    const std::uint64_t key = cause != nullptr ? std::uint64_t{cause->id} : (std::uint64_t{1} << 40) + place.block;
+    const std::uint64_t key = cause != nullptr ? std::uint64_t{cause->id} : (std::uint64_t{1} << 40) + block;
     const auto [found, isNew] = byCause.emplace(key, groups.size());
     if (isNew)
       groups.push_back({&instruction, cause});

@@ -286,8 +286,9 @@ class Run {
   void step(const Instruction& at, bool isTarget) {
     if (isTarget) join();
     const Desc& desc = *at.desc;
-    points_[at.id] = {flowOf(0), static_cast<std::uint8_t>(std::min<std::size_t>(ownLevels(), 255)),
-                      entries_.empty() ? nullptr : entries_.back().by};
+    points_[at.id] = {
+        flowOf(0), static_cast<std::uint8_t>(std::min<std::size_t>(ownLevels(), 255)),
+        entries_.empty() || entries_.back().by == nullptr ? StackPoint::noSource : entries_.back().by->id};
     const auto contact = [&] {
       return at.operands.empty() || desc.execution == Execution::Compare
                  ? Condition{0}

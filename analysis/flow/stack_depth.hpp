@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <unordered_map>
@@ -54,9 +55,12 @@ struct StackFault {
 
 /// What the run learned about one instruction.
 struct StackPoint {
-  Condition flow = 0;                   ///< of the top of the stack in front of the instruction
-  std::uint8_t levels = 0;              ///< levels that its network has loaded, 0-255
-  const Instruction* source = nullptr;  ///< load or operation that made the top; null: given by the system, or unknown
+  Condition flow = 0;       ///< of the top of the stack in front of the instruction
+  std::uint8_t levels = 0;  ///< levels that its network has loaded, 0-255
+  /// Instruction::id of the load or operation that made the top.
+  std::uint32_t source = noSource;
+
+  static constexpr std::uint32_t noSource = std::numeric_limits<std::uint32_t>::max();  ///< the system's, or unknown
 };
 
 /// Bits known to be conditions, keyed by bitKey().

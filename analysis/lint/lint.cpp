@@ -19,6 +19,29 @@ int longestMatch(const std::vector<std::string>& prefixes, std::string_view id) 
   return longest;
 }
 
+void letSpeak(const Facts& facts, const RuleSelection& selection, std::span<const Rule* const> rules,
+              FindingSink& sink) {
+  for (const Rule* rule : rules) {
+    if (rule->check == nullptr || !selection.includes(*rule) || !knows(*rule, facts.target())) continue;
+    if (facts.hasUnreadFrame() && !rule->standsAlone) continue;
+    sink.begin(*rule);
+    rule->check(facts, sink);
+  }
+}
+
+/// What is to be said about the texts of library blocks is not the program's business.
+std::vector<Finding> ownFindings(const Program& program, FindingSink& sink) {
+  std::vector<Finding> findings = sink.take();
+  std::vector<bool> isLibraryFile(program.sources->size(), false);
+  for (const Pou& pou : program.pous) {
+    if (isLibraryText(program, pou)) isLibraryFile[pou.span.file] = true;
+  }
+  std::erase_if(findings, [&](const Finding& finding) {
+    return finding.span.file < isLibraryFile.size() && isLibraryFile[finding.span.file];
+  });
+  return findings;
+}
+
 }  // namespace
 
 bool RuleSelection::includes(std::string_view id, bool onByDefault) const {
@@ -31,22 +54,16 @@ bool RuleSelection::includes(std::string_view id, bool onByDefault) const {
 std::vector<Finding> runRules(const Facts& facts, const RuleSelection& selection, const RuleSettings& settings,
                               std::span<const Rule* const> rules) {
   FindingSink sink(facts.program(), settings);
-  for (const Rule* rule : rules) {
-    if (rule->check == nullptr || !selection.includes(*rule) || !knows(*rule, facts.target())) continue;
-    if (facts.hasUnreadFrame() && !rule->standsAlone) continue;
-    sink.begin(*rule);
-    rule->check(facts, sink);
-  }
-  std::vector<Finding> findings = sink.take();
-  // What is to be said about the texts of library blocks is not the program's business.
-  std::vector<bool> isLibraryFile(facts.program().sources->size(), false);
-  for (const Pou& pou : facts.program().pous) {
-    if (isLibraryText(facts.program(), pou)) isLibraryFile[pou.span.file] = true;
-  }
-  std::erase_if(findings, [&](const Finding& finding) {
-    return finding.span.file < isLibraryFile.size() && isLibraryFile[finding.span.file];
-  });
-  return findings;
+  letSpeak(facts, selection, rules, sink);
+  return ownFindings(facts.program(), sink);
+}
+
+std::vector<Finding> runRules(const Program& program, std::span<const ExternalRange> externals,
+                              const Surroundings& around, const RuleSelection& selection,
+                              const RuleSettings& settings) {
+  FindingSink sink(program, settings);
+  letSpeak(Facts(program, externals, around), selection, allRules(), sink);
+  return ownFindings(program, sink);
 }
 
 }  // namespace rungproof

@@ -32,5 +32,8 @@ class RuleSelection {
 /// could not be read only rules speak that stand alone.
 std::vector<Finding> runRules(const Facts& facts, const RuleSelection& selection, const RuleSettings& settings,
                               std::span<const Rule* const> rules = allRules());
+/// The same for who wants nothing but the findings: the facts, made here, are gone before those are put in one row.
+std::vector<Finding> runRules(const Program& program, std::span<const ExternalRange> externals,
+                              const Surroundings& around, const RuleSelection& selection, const RuleSettings& settings);
 
 }  // namespace rungproof

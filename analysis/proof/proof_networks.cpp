@@ -76,7 +76,7 @@ class UseWalk {
     }
   }
 
-  std::vector<NetworkName> run(const std::vector<Operand>& read) {
+  std::vector<NetworkName> run(const Operands& read) {
     for (const Operand& operand : read) {
       Access access;
       access.area = operand.area;
@@ -120,7 +120,7 @@ class UseWalk {
       for (const Access& access : facts_.accesses().of(id)) {
         if (!access.write || access.maybe) followWriters(access, id, part.block);
       }
-      if (const Instruction* skipper = facts_.execution().at(id).skippedBy) add(skipper->id);
+      if (const ExecutionPoint& point = facts_.execution().at(id); point.isSkipped()) add(point.skipper);
     }
     // A subroutine runs because it is called, and what a call hands back its routine has made.
     for (const std::uint32_t site : facts_.calls().callsOf(part.block))
@@ -234,8 +234,7 @@ class UseWalk {
 
 }  // namespace
 
-std::vector<NetworkName> networksBehind(const Facts& facts, const EncodedScan& encoding,
-                                        const std::vector<Operand>& read,
+std::vector<NetworkName> networksBehind(const Facts& facts, const EncodedScan& encoding, const Operands& read,
                                         const std::unordered_set<std::uint32_t>& variables) {
   return UseWalk(facts, encoding, variables).run(read);
 }

@@ -17,8 +17,7 @@ using NetworkName = std::pair<std::string, int>;  ///< block and network number
 
 /// `read`: what the property looks at, at the end of a scan; `variables`: node indices of the state that the verdict
 /// depends on. In program order.
-std::vector<NetworkName> networksBehind(const Facts& facts, const EncodedScan& encoding,
-                                        const std::vector<Operand>& read,
+std::vector<NetworkName> networksBehind(const Facts& facts, const EncodedScan& encoding, const Operands& read,
                                         const std::unordered_set<std::uint32_t>& variables);
 
 /// "MAIN 1, 3-5; SBR_0 2".

@@ -232,7 +232,7 @@ class Session {
   void guardUnreadCode(ProofResult& row) const {
     if (options_.unread == nullptr || options_.unread->empty() || !row.builtin || row.builtin->place == nullptr) return;
     const RuleQuestion& check = *row.builtin;
-    const std::vector<Operand> operands = check.operands();
+    const Operands operands = check.operands();
     std::vector<std::string> reasons = options_.unread->reasons(check.place->span, operands);
     if (reasons.empty() && check.other != nullptr) reasons = options_.unread->reasons(check.other->span, operands);
     leaveOpen(row, reasons);
@@ -252,7 +252,7 @@ class Session {
   /// Networks that decide the property: a proof without earlier scans depends on the state that its invariant speaks
   /// of.
   std::vector<NetworkName> networksOf(std::size_t question, const QuestionAnswer& answer) {
-    const std::vector<Operand> read = addressesOf(question);
+    const Operands read = addressesOf(question);
     if (!facts_) facts_ = std::make_unique<Facts>(program_, set_.externals);
     std::unordered_set<std::uint32_t> variables;
     if (answer.certificate && answer.certificate->k == 0) {
@@ -313,9 +313,9 @@ class Session {
   }
 
   /// That the question reads.
-  std::vector<Operand> addressesOf(std::size_t question) {
+  Operands addressesOf(std::size_t question) {
     if (question >= goals().size()) return search_.exact().checks()[question - goals().size()].operands();
-    std::vector<Operand> read;
+    Operands read;
     for (const Operand* operand : rungproof::addressesOf(goals()[question])) read.push_back(*operand);
     return read;
   }
@@ -437,7 +437,7 @@ void noteUntouched(const Program& program, const PropertySet& set, const ProverO
   for (ProofResult& row : rows) {
     if (row.builtin || row.property.first.nodes.empty()) continue;
     if (!facts) facts = std::make_unique<const Facts>(program, set.externals);
-    const std::vector<Operand> untouched = untouchedBy(*facts, set, row.property);
+    const Operands untouched = untouchedBy(*facts, set, row.property);
     for (const Operand& operand : untouched)
       row.notes.push_back(fmt::format("no instruction writes {}", toString(operand)));
     if (untouched.empty() || row.outcome != Outcome::Proved) continue;

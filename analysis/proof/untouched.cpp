@@ -70,8 +70,8 @@ bool isSame(const Operand& a, const Operand& b) {
 
 }  // namespace
 
-std::vector<Operand> untouchedBy(const Facts& facts, const PropertySet& set, const Property& property) {
-  std::vector<Operand> found;
+Operands untouchedBy(const Facts& facts, const PropertySet& set, const Property& property) {
+  Operands found;
   for (const Operand* operand : addressesOf(property)) {
     const bool isKnown = std::ranges::any_of(found, [&](const Operand& known) { return isSame(known, *operand); });
     if (!isKnown && !isWritten(facts, set, *operand)) found.push_back(*operand);

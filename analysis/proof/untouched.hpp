@@ -12,7 +12,7 @@
 namespace rungproof {
 
 /// The addresses of a property that nothing writes, in the order of its text, each once.
-std::vector<Operand> untouchedBy(const Facts& facts, const PropertySet& set, const Property& property);
+Operands untouchedBy(const Facts& facts, const PropertySet& set, const Property& property);
 
 /// The question whether a property holds for any program: the same assumptions over a program without instructions, in
 /// which everything that the property names and that is written has any value in any scan.

@@ -91,7 +91,7 @@ WrittenPlaces::DataPlace WrittenPlaces::dataPlaceOf(const Access& access) const 
     if (pou != pous.end()) place.block = static_cast<std::uint32_t>(pou - pous.begin());
     return place;
   }
-  const std::vector<Operand>& operands = facts_.instruction(access.instruction).operands;
+  const Operands& operands = facts_.instruction(access.instruction).operands;
   const bool isShown = access.operand < operands.size() && operands[access.operand].reach != nullptr;
   if (!isShown || operands[access.operand].reach->way != Way::Instance) return place;
   place.kind = DataPlace::Kind::Instance;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int64_t largestPreset = 32767;  // 001:6569
 
-std::string textOf(const Desc& desc, const std::vector<Operand>& operands) {
+std::string textOf(const Desc& desc, const Operands& operands) {
   std::string text(desc.stl);
   for (std::size_t i = 0; i < operands.size(); ++i) text += (i == 0 ? " " : ", ") + toString(operands[i]);
   return text;
@@ -51,7 +51,7 @@ class Finder {
     result.instruction = index_;
     return result;
   }
-  void replace(FaultKind kind, const Desc& desc, std::vector<Operand> operands, std::string text = {}) {
+  void replace(FaultKind kind, const Desc& desc, Operands operands, std::string text = {}) {
     const std::string given = textOf(*instruction().desc, instruction().operands);
     Fault result =
         fault(kind, text.empty() ? fmt::format("{} for {}", textOf(desc, operands), given) : std::move(text));
@@ -62,7 +62,7 @@ class Finder {
 
   void atInstruction() {
     const Desc& desc = *instruction().desc;
-    const std::vector<Operand>& operands = instruction().operands;
+    const Operands& operands = instruction().operands;
     if (const Desc* negated = instructions_.negatedForm(desc)) replace(FaultKind::Polarity, *negated, operands);
     removeContact();
     if (const Desc* opposite = instructions_.oppositeForm(desc)) {
@@ -76,7 +76,7 @@ class Finder {
 
   void removeContact() {
     const Desc& desc = *instruction().desc;
-    const std::vector<Operand> always{dialect_.systemBits.alwaysOn.operand()};
+    const Operands always{dialect_.systemBits.alwaysOn.operand()};
     const std::string text = textOf(desc, instruction().operands);
     if (instruction().operands.size() == 1 && isBit(instruction().operands[0], dialect_.systemBits.alwaysOn)) return;
     if (!isContact(desc.role)) return;
@@ -94,7 +94,7 @@ class Finder {
     if (given.kind != OperandKind::Constant) return;
     for (const std::int64_t value : {given.value / 2, given.value * 2}) {
       if (value < 1 || value > largestPreset || value == given.value) continue;
-      std::vector<Operand> operands = instruction().operands;
+      Operands operands = instruction().operands;
       operands[1] = constant(value);
       replace(FaultKind::Preset, desc, std::move(operands));
     }

@@ -24,13 +24,13 @@ std::string_view faultKindName(FaultKind kind);
 
 struct Fault {
   FaultKind kind = FaultKind::Polarity;
-  std::string text;                 ///< "LDN I0.3 for LD I0.3"; of a removed contact "LD I0.3"
-  std::uint32_t pou = 0;            ///< index in Program::pous
-  std::uint32_t network = 0;        ///< index in Pou::networks
-  std::uint32_t instruction = 0;    ///< index in Network::instructions; of a network its first one
-  const Desc* desc = nullptr;       ///< what the instruction becomes; nullptr: unchanged
-  std::vector<Operand> operands{};  ///< with desc: its operands
-  std::uint32_t otherNetwork = 0;   ///< LatchOrder: the second rung
+  std::string text;                ///< "LDN I0.3 for LD I0.3"; of a removed contact "LD I0.3"
+  std::uint32_t pou = 0;           ///< index in Program::pous
+  std::uint32_t network = 0;       ///< index in Pou::networks
+  std::uint32_t instruction = 0;   ///< index in Network::instructions; of a network its first one
+  const Desc* desc = nullptr;      ///< what the instruction becomes; nullptr: unchanged
+  Operands operands{};             ///< with desc: its operands
+  std::uint32_t otherNetwork = 0;  ///< LatchOrder: the second rung
   std::uint32_t otherInstruction = 0;
 };
 

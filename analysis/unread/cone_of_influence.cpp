@@ -44,7 +44,7 @@ class Cone {
   }
 
   std::vector<bool> outside() const {
-    std::vector<bool> result(facts_.instructions().size(), false);
+    std::vector<bool> result(facts_.instructionCount(), false);
     for (const Part& part : parts_) {
       for (const std::uint32_t id : part.instructions) result[id] = !part.isInside;
     }

@@ -34,8 +34,7 @@ void addLast(std::deque<std::string>& lines, std::string line) {
 }
 
 /// Those of the property, then inputs that matter at all.
-std::vector<Shown> shownOf(EncodedScan& encoding, const std::vector<Operand>& addresses,
-                           const std::vector<ReplayScan>& scans) {
+std::vector<Shown> shownOf(EncodedScan& encoding, const Operands& addresses, const std::vector<ReplayScan>& scans) {
   std::vector<Shown> shown;
   const auto add = [&](const Operand& operand) {
     const bool isKnown =
@@ -57,7 +56,7 @@ std::vector<Shown> shownOf(EncodedScan& encoding, const std::vector<Operand>& ad
 }  // namespace
 
 BothTraces bothTracesOf(const Program& program, EncodedScan& encoding, const TransitionSystem& system,
-                        const WordTrace& trace, const std::vector<Operand>& addresses) {
+                        const WordTrace& trace, const Operands& addresses) {
   const std::vector<ReplayScan> scans = scansOf(encoding, system, trace, encoding.options().time);
   const std::vector<Shown> shown = shownOf(encoding, addresses, scans);
   std::vector<Node> watched;

@@ -18,6 +18,6 @@ struct BothTraces {
 /// Values at the ends of the last scans of a run of `system` (that of `encoding`, possibly with fewer questions):
 /// those of the addresses, and the inputs that the run sets to something else than 0.
 BothTraces bothTracesOf(const Program& program, EncodedScan& encoding, const TransitionSystem& system,
-                        const WordTrace& trace, const std::vector<Operand>& addresses);
+                        const WordTrace& trace, const Operands& addresses);
 
 }  // namespace rungproof

@@ -22,7 +22,7 @@ SimulatorOptions optionsFor(const Program& program, SimulatorOptions options) {
 bool touchesQueueBits(const Plan& plan) {
   constexpr std::uint32_t byte = 4;
   const auto mayTouch = [](const FlowStep& step) {
-    const std::vector<Operand>& operands = step.instruction->operands;
+    const Operands& operands = step.instruction->operands;
     return std::ranges::any_of(operands, [&](const Operand& o) {
       if (o.kind != OperandKind::Direct || o.area != Area::SM) return false;
       const bool isRow = operands.size() > 1;

@@ -62,7 +62,7 @@ void PageWriter::finding(const Finding& finding, PlaceNames& fingerprints) {
                       severityName(finding.severity), finding.rule, names.marked(finding.message),
                       finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)" : "");
   findingPlace(finding.span, finding.pou.empty()    ? ""
-                             : finding.network == 0 ? finding.pou
+                             : finding.network == 0 ? std::string(finding.pou)
                                                     : fmt::format("{}, network {}", finding.pou, finding.network));
   for (const RelatedPlace& related : finding.related) {
     out_ << fmt::format("note: {}<br/>\n", names.marked(related.message));

@@ -27,13 +27,14 @@ int clientSeverity(Severity severity) {
 Json diagnosticOf(const CheckedDocument& document, const Finding& finding) {
   Json json{{"range", document.range(finding.span)},
             {"severity", clientSeverity(finding.severity)},
-            {"code", finding.rule},
+            {"code", finding.rule.view()},
             {"source", "rungproof"},
             {"message", messageOf(finding)}};
   const Rule* const rule = ruleNamed(finding.rule);
   if (rule != nullptr && rule->surplus) json["tags"].push_back(unnecessaryTag);
   for (const RelatedPlace& related : finding.related)
-    json["relatedInformation"].push_back({{"location", document.location(related.span)}, {"message", related.message}});
+    json["relatedInformation"].push_back(
+        {{"location", document.location(related.span)}, {"message", related.message.view()}});
   return json;
 }
 

@@ -211,7 +211,7 @@ bool DrawnFunctions::logic(std::string_view name, DrawnValue& result) {
 // Arithmetic
 
 /// The remainder: DIV leaves it beside the quotient (001:4890); double integers: a - a / b * b.
-DrawnValue DrawnFunctions::modulo(const std::vector<Operand>& operands, Arithmetic kind, IecType type) {
+DrawnValue DrawnFunctions::modulo(const Operands& operands, Arithmetic kind, IecType type) {
   const Operand wide = l_.temporary(IecType::Dint);
   if (kind == Arithmetic::Int) {
     move(operands[0], l_.lowPart(wide, Width::Word), IecType::Int, enable_);
@@ -251,7 +251,7 @@ bool DrawnFunctions::arithmetic(std::string_view name, DrawnValue& result) {
     return true;
   }
   const Arithmetic kind = arithmeticOf(type);
-  std::vector<Operand> operands;
+  Operands operands;
   for (const DrawnValue& value : in_) {
     const auto operand = l_.widened(value, kind, enable_, e_);
     if (!operand) return true;

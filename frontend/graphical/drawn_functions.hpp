@@ -31,7 +31,7 @@ class DrawnFunctions {
 
   DrawnValue boolGate(std::string_view name);
   DrawnValue bitwise(std::string_view name);
-  DrawnValue modulo(const std::vector<Operand>& operands, Arithmetic kind, IecType type);
+  DrawnValue modulo(const Operands& operands, Arithmetic kind, IecType type);
   DrawnValue converted(const DrawnValue& value, IecType to);
   Wire related(std::string_view relation, const DrawnValue& a, const DrawnValue& b, Wire input);
 

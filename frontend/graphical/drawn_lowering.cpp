@@ -20,8 +20,7 @@ constexpr int deepestRow = 400;
 
 }  // namespace
 
-Wire DrawnLowering::add(Shape shape, std::string_view mnemonic, std::vector<Operand> operands,
-                        std::vector<Wire> inputs) {
+Wire DrawnLowering::add(Shape shape, std::string_view mnemonic, Operands operands, std::vector<Wire> inputs) {
   Element element;
   element.shape = shape;
   element.span = circuit_->element(current_).span;
@@ -41,7 +40,7 @@ Wire DrawnLowering::contact(const Operand& bit, Wire input) { return add(Shape::
 Wire DrawnLowering::compare(std::string_view mnemonic, const Operand& a, const Operand& b, Wire input) {
   return add(Shape::Contact, mnemonic, {a, b}, {input});
 }
-Wire DrawnLowering::box(std::string_view mnemonic, std::vector<Operand> operands, Wire enable) {
+Wire DrawnLowering::box(std::string_view mnemonic, Operands operands, Wire enable) {
   return add(Shape::Box, mnemonic, std::move(operands), {enable});
 }
 

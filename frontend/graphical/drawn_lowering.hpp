@@ -53,7 +53,7 @@ class DrawnLowering {
   Wire negation(Wire wire);
   bool isTrue(Wire wire) const { return wire.from == 0 && !wire.negated; }
   bool isFalse(Wire wire) const { return wire.from == 0 && wire.negated; }
-  Wire add(Shape shape, std::string_view mnemonic, std::vector<Operand> operands, std::vector<Wire> inputs);
+  Wire add(Shape shape, std::string_view mnemonic, Operands operands, std::vector<Wire> inputs);
   Wire contact(const Operand& bit, Wire input);
   Wire compare(std::string_view mnemonic, const Operand& a, const Operand& b, Wire input);
   Wire edge(Wire input, DrawnEdge kind);
@@ -62,8 +62,8 @@ class DrawnLowering {
   Wire parallel(std::vector<Wire> wires, std::size_t shared);
   /// The contacts in series that end in this wire, from the left rail on.
   std::vector<std::uint32_t> seriesOf(Wire wire) const;
-  Wire box(std::string_view mnemonic, std::vector<Operand> operands, Wire enable);
-  void coil(std::string_view mnemonic, std::vector<Operand> operands, Wire input) {
+  Wire box(std::string_view mnemonic, Operands operands, Wire enable);
+  void coil(std::string_view mnemonic, Operands operands, Wire input) {
     add(Shape::Coil, mnemonic, std::move(operands), {input});
   }
   void assign(const Operand& bit, Wire input) { coil("=", {bit}, input); }
@@ -124,7 +124,7 @@ class DrawnLowering {
   int depth_ = 0;
   std::vector<bool> damaged_;
   std::vector<bool> idle_;  ///< circuits with elements that lead nowhere
-  std::vector<Operand> connectorBits_;
+  Operands connectorBits_;
   std::map<std::string, int> labels_;
   int nextNumber_ = 1;
 };

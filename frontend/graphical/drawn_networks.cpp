@@ -14,7 +14,7 @@ namespace rungproof {
 
 void DrawnLowering::begin() {
   states_.assign(network_->elements.size(), {});
-  connectorBits_.assign(network_->elements.size(), {});
+  connectorBits_ = Operands(network_->elements.size());
   drawing_.elements.assign(1, Element{});
   drawing_.elements[0].span = network_->span;
   owner_.assign(1, DrawnCircuit::nothing);

@@ -16,7 +16,7 @@ namespace rungproof {
 namespace {
 
 /// Element of the drawing of the first scan: a move or a set in the first scan (element 1).
-void addFirst(Drawing& drawing, std::string_view mnemonic, std::vector<Operand> operands, Span span) {
+void addFirst(Drawing& drawing, std::string_view mnemonic, Operands operands, Span span) {
   if (drawing.elements.empty()) {
     Element rail, first;
     rail.span = first.span = span;
@@ -139,7 +139,7 @@ void DrawnBuild::addSymbol(const std::string& name, const Operand& place, Span s
   Symbol symbol;
   symbol.name = name;
   symbol.address = place;
-  symbol.address.text.clear();
+  symbol.address.text = "";
   symbol.span = span;
   program_.symbols.push_back(std::move(symbol));
 }

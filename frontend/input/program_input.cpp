@@ -243,6 +243,15 @@ bool holdsMain(const Program& alone, const std::string& file, const std::vector<
   });
 }
 
+/// What a file of a command is, read alone. All that are of an S7-300/400 are one program.
+enum class FilePart : std::uint8_t { Main, Beside, OfProject };
+
+std::uintmax_t lengthOf(const std::string& file) {
+  std::error_code error;
+  const std::uintmax_t length = std::filesystem::file_size(file, error);
+  return error ? 0 : length;
+}
+
 }  // namespace
 
 std::vector<std::string> expandFolders(const std::vector<std::string>& names) {
@@ -327,15 +336,25 @@ std::vector<std::vector<std::string>> groupByProgram(const Context& context, con
   if (files.size() < 2 || std::find(files.begin(), files.end(), "-") != files.end()) return {files};
   ReadOptions options = readOptionsOf(context.settings);
   options.symbolFiles.clear();
+  std::vector<FilePart> parts(files.size(), FilePart::Beside);
+  const auto partOf = [&](const std::string& file) {
+    const Program alone = readProgram({file}, options);
+    if (alone.declarations != nullptr) return FilePart::OfProject;
+    return holdsMain(alone, file, files) ? FilePart::Main : FilePart::Beside;
+  };
+  // Where all files but one stand beside a program, that one makes no second program, whatever it holds: the longest is
+  // spared a reading of its own.
+  const auto longest = static_cast<std::size_t>(std::ranges::max_element(files, {}, lengthOf) - files.begin());
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (i != longest) parts[i] = partOf(files[i]);
+  }
+  if (std::ranges::all_of(parts, [](FilePart part) { return part == FilePart::Beside; })) return {files};
+  parts[longest] = partOf(files[longest]);
   std::vector<std::string> mains;
   std::vector<std::string> others;
-  std::vector<std::string> ofOneProject;  // S7-300/400: all files of a command are one program
-  for (const std::string& file : files) {
-    const Program alone = readProgram({file}, options);
-    if (alone.declarations != nullptr)
-      ofOneProject.push_back(file);
-    else
-      (holdsMain(alone, file, files) ? mains : others).push_back(file);
+  std::vector<std::string> ofOneProject;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    (parts[i] == FilePart::Main ? mains : parts[i] == FilePart::Beside ? others : ofOneProject).push_back(files[i]);
   }
   // A symbol table of STEP 7 may look like a program of the S7-200: INT in its type column is a heading there.
   if (!ofOneProject.empty()) {

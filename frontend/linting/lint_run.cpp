@@ -100,14 +100,14 @@ Report lintProgram(const Settings& settings, const ProgramInput& given, const st
   const ProgramInput& input = smaller ? *smaller : given;
   const Program& program = input.program;
   const RuleSelection selection(settings.list(Opt::Select), settings.list(Opt::Ignore));
-  const Facts facts(program, input.properties.externals, input.surroundings);
   Report report = startReport("lint", program, files);
 
   const auto isSelected = [&](std::string_view id) { return rungproof::isSelected(settings, id); };
   // Errors of the readers cannot be ignored: what was not read was not checked.
   std::erase_if(report.findings,
                 [&](const Finding& finding) { return !isReadError(finding) && !isSelected(finding.rule); });
-  std::vector<Finding> found = runRules(facts, selection, settings.ruleSettings());
+  std::vector<Finding> found =
+      runRules(program, input.properties.externals, input.surroundings, selection, settings.ruleSettings());
   found.insert(found.begin(), std::make_move_iterator(report.findings.begin()),
                std::make_move_iterator(report.findings.end()));
   report.findings = std::move(found);

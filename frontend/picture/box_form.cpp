@@ -32,7 +32,7 @@ std::vector<OperandPin> callPins(std::size_t count, const Pou* callee) {
 
 }  // namespace
 
-std::vector<std::string> callPowerPins(const std::vector<Operand>& operands, const Pou* callee) {
+std::vector<std::string> callPowerPins(const Operands& operands, const Pou* callee) {
   std::vector<std::string> names = {"EN"};
   for (const OperandPin& pin : callPins(operands.size(), callee)) {
     if (operands[pin.operand].kind == OperandKind::Missing) names.push_back(pin.name);

@@ -30,7 +30,7 @@ std::vector<OperandPin> operandPins(const Desc& desc, std::size_t count, const P
 /// Names of the power inputs, topmost first: EN; IN; CU, CD, R.
 std::vector<std::string> powerPins(const Desc& desc);
 /// The same of a CALL: EN, then the parameters that are given as power flow (001:6808).
-std::vector<std::string> callPowerPins(const std::vector<Operand>& operands, const Pou* callee);
+std::vector<std::string> callPowerPins(const Operands& operands, const Pou* callee);
 /// "ENO", "Q", "OUT"; empty where the box has no power output.
 std::string powerOutput(const Desc& desc);
 

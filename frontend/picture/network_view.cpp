@@ -37,7 +37,7 @@ std::string namesIn(const Program& program, const Instruction& instruction) {
   for (const Operand& operand : instruction.operands) {
     const Symbol* symbol = program.symbolOf(operand);
     const bool hasName = !operand.text.empty() && operand.kind == OperandKind::Direct && operand.text[0] != '#';
-    const std::string name = hasName ? operand.text : symbol == nullptr ? "" : symbol->name;
+    const std::string name = hasName ? std::string(operand.text) : symbol == nullptr ? "" : symbol->name;
     if (!name.empty()) names += (names.empty() ? "" : ", ") + name;
   }
   return names;

@@ -43,48 +43,81 @@ class HumanWriter {
  private:
   bool hasPlace(Span span) const { return report_.sources != nullptr && span.file < report_.sources->size(); }
 
+  /// Findings are written piece by piece, without formats: there may be a million.
+  void paint(std::string& text, Painter painter, std::string_view piece) const {
+    if (paint_.on)
+      text += (paint_.*painter)(piece);
+    else
+      text += piece;
+  }
+
+  void addPlace(std::string& text, Span span, Position at, int gutter, std::string_view context, char mark,
+                Painter painter) const {
+    const SourceFile& file = report_.sources->file(span.file);
+    const bool isEmpty = file.text().empty();  // a file that could not be read has no lines
+    text.append(static_cast<std::size_t>(gutter), ' ');
+    paint(text, &Paint::blue, "-->");
+    text.append(" ").append(file.name());
+    if (!isEmpty) text.append(":").append(std::to_string(at.line)).append(":").append(std::to_string(at.column));
+    text.append(context).append("\n");
+    if (!isEmpty) text += drawExcerpt(excerptOf(file, span, at.line), gutter, mark, paint_, painter);
+  }
   void writePlace(Span span, int gutter, std::string_view context, char mark, Painter painter) {
-    const bool isEmpty = report_.sources->file(span.file).text().empty();  // a file that could not be read has no lines
-    out_ << fmt::format("{}{} {}{}\n", std::string(static_cast<std::size_t>(gutter), ' '), paint_.blue("-->"),
-                        isEmpty ? report_.sources->file(span.file).name() : placeText(*report_.sources, span), context);
-    if (isEmpty) return;
-    out_ << drawExcerpt(excerptOf(report_.sources->file(span.file), span), gutter, mark, paint_, painter);
+    std::string text;
+    addPlace(text, span, report_.sources->position(span), gutter, context, mark, painter);
+    out_ << text;
   }
 
   void writeFinding(const Finding& finding) {
     const Painter painter = painterOf(finding.severity);
-    const std::string head = fmt::format("{}[{}]", severityName(finding.severity), finding.rule);
-    out_ << fmt::format("{}: {}{}\n", (paint_.*painter)(head), paint_.bold(finding.message),
-                        finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)" : "");
+    std::string& text = text_;
+    text.clear();
+    std::string head(severityName(finding.severity));
+    head.append("[").append(finding.rule.view()).append("]");
+    paint(text, painter, head);
+    text += ": ";
+    paint(text, &Paint::bold, finding.message);
+    text += finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)\n" : "\n";
+    std::vector<Position> places;
+    for (const RelatedPlace& related : finding.related)
+      places.push_back(hasPlace(related.span) ? report_.sources->position(related.span) : Position{});
     int gutter = 1;
     if (hasPlace(finding.span)) {
-      gutter = digits(report_.sources->position(finding.span).line);
-      for (const RelatedPlace& related : finding.related) {
-        if (hasPlace(related.span)) gutter = std::max(gutter, digits(report_.sources->position(related.span).line));
-      }
-      writePlace(finding.span, gutter, contextOf(finding), '^', painter);
+      const Position at = report_.sources->position(finding.span);
+      gutter = digits(at.line);
+      for (const Position& place : places) gutter = std::max(gutter, digits(place.line));
+      addPlace(text, finding.span, at, gutter, contextOf(finding), '^', painter);
     }
-    for (const RelatedPlace& related : finding.related) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const RelatedPlace& related = finding.related[i];
       if (!hasPlace(related.span)) continue;
-      out_ << fmt::format("{}: {}\n", paint_.cyan("note"), related.message);
-      writePlace(related.span, gutter, "", '-', &Paint::blue);
+      paint(text, &Paint::cyan, "note");
+      text.append(": ").append(related.message.view()).append("\n");
+      addPlace(text, related.span, places[i], gutter, "", '-', &Paint::blue);
     }
-    const std::string margin(static_cast<std::size_t>(gutter) + 1, ' ');
-    if (!finding.help.empty()) out_ << fmt::format("{}{} help: {}\n", margin, paint_.blue("="), finding.help);
+    const auto remark = [&](std::string_view what) -> std::string& {
+      text.append(static_cast<std::size_t>(gutter) + 1, ' ');
+      paint(text, &Paint::blue, "=");
+      return text.append(" ").append(what);
+    };
+    if (!finding.help.empty()) remark("help: ").append(finding.help.view()).append("\n");
     if (finding.fix) {
-      const std::string_view instead = finding.fix->replacement;
-      out_ << fmt::format("{}{} fix{}: {}\n", margin, paint_.blue("="),
-                          finding.fix->safe ? "" : " (unsafe, with --unsafe-fixes)",
-                          instead.empty() ? "remove it" : fmt::format("write '{}'", instead));
+      remark("fix").append(finding.fix->safe ? "" : " (unsafe, with --unsafe-fixes)").append(": ");
+      if (finding.fix->replacement.empty())
+        text += "remove it\n";
+      else
+        text.append("write '").append(finding.fix->replacement.view()).append("'\n");
     }
-    if (!finding.trace.empty()) out_ << fmt::format("{}{} trace: {}\n", margin, paint_.blue("="), finding.trace);
-    out_ << '\n';
+    if (!finding.trace.empty()) remark("trace: ").append(finding.trace.view()).append("\n");
+    text += '\n';
+    out_ << text;
   }
 
   static std::string contextOf(const Finding& finding) {
     if (finding.pou.empty()) return {};
-    return finding.network == 0 ? fmt::format(" in {}", finding.pou)
-                                : fmt::format(" in {}, network {}", finding.pou, finding.network);
+    std::string text = " in " + finding.pou;
+    if (finding.network != 0) text.append(", network ").append(std::to_string(finding.network));
+    return text;
   }
 
   void writeProperty(const PropertyResult& property) {
@@ -255,6 +288,7 @@ class HumanWriter {
   const ReportStyle& style_;
   Paint paint_;
   std::ostream& out_;
+  std::string text_;  ///< of a finding; its room is used again
 };
 
 void write(const Report& report, const ReportStyle& style, std::ostream& out) {

@@ -23,9 +23,9 @@ Json number(double value) {
 Json findingJson(const Finding& finding, const SourceSet& sources) {
   const Position position = sources.position(finding.span);
   const Position end = sources.file(finding.span.file).position(finding.span.offset + finding.span.length);
-  Json json = {{"rule", finding.rule},
+  Json json = {{"rule", finding.rule.view()},
                {"severity", severityName(finding.severity)},
-               {"message", finding.message},
+               {"message", finding.message.view()},
                {"file", sources.file(finding.span.file).name()},
                {"line", position.line},
                {"column", position.column},
@@ -40,7 +40,7 @@ Json findingJson(const Finding& finding, const SourceSet& sources) {
   json["related"] = Json::array();
   for (const RelatedPlace& related : finding.related) {
     const Position place = sources.position(related.span);
-    json["related"].push_back({{"message", related.message},
+    json["related"].push_back({{"message", related.message.view()},
                                {"file", sources.file(related.span.file).name()},
                                {"line", place.line},
                                {"column", place.column}});

@@ -56,29 +56,30 @@ Json ruleObject(const std::string& id) {
 
 Json resultOf(const Finding& finding, const Report& report, std::size_t ruleIndex) {
   const SourceSet& sources = *report.sources;
-  Json result = {{"ruleId", finding.rule},
+  Json result = {{"ruleId", finding.rule.view()},
                  {"ruleIndex", ruleIndex},
                  {"level", levelName(finding.severity)},
-                 {"message", {{"text", finding.message}}}};
+                 {"message", {{"text", finding.message.view()}}}};
   Json location = {{"physicalLocation", physicalLocation(sources, finding.span)}};
   if (!finding.pou.empty()) {
     const std::string name =
-        finding.network == 0 ? finding.pou : fmt::format("{}/network {}", finding.pou, finding.network);
+        finding.network == 0 ? std::string(finding.pou) : fmt::format("{}/network {}", finding.pou, finding.network);
     location["logicalLocations"] = Json::array({{{"fullyQualifiedName", name}, {"kind", "function"}}});
   }
   result["locations"] = Json::array({location});
   if (!finding.related.empty()) {
     result["relatedLocations"] = Json::array();
     for (const RelatedPlace& related : finding.related) {
-      result["relatedLocations"].push_back(
-          {{"physicalLocation", physicalLocation(sources, related.span)}, {"message", {{"text", related.message}}}});
+      result["relatedLocations"].push_back({{"physicalLocation", physicalLocation(sources, related.span)},
+                                            {"message", {{"text", related.message.view()}}}});
     }
   }
   if (finding.fix) {
-    const Json change = {{"artifactLocation", {{"uri", uriOf(sources.file(finding.fix->span.file).name())}}},
-                         {"replacements", Json::array({{{"deletedRegion", regionOf(sources, finding.fix->span)},
-                                                        {"insertedContent", {{"text", finding.fix->replacement}}}}})}};
-    const std::string what = finding.help.empty() ? "replace the text" : finding.help;
+    const Json change = {
+        {"artifactLocation", {{"uri", uriOf(sources.file(finding.fix->span.file).name())}}},
+        {"replacements", Json::array({{{"deletedRegion", regionOf(sources, finding.fix->span)},
+                                       {"insertedContent", {{"text", finding.fix->replacement.view()}}}}})}};
+    const std::string what = finding.help.empty() ? "replace the text" : std::string(finding.help);
     const char* const doubt = finding.fix->safe ? "" : " (unsafe: a guess at what was meant)";
     result["fixes"] =
         Json::array({{{"description", {{"text", what + doubt}}}, {"artifactChanges", Json::array({change})}}});
@@ -140,7 +141,7 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
   Json results = Json::array();
   for (const Finding& finding : report.findings) {
     const auto [entry, isNew] = ruleIndex.emplace(finding.rule, rules.size());
-    if (isNew) rules.push_back(ruleObject(finding.rule));
+    if (isNew) rules.push_back(ruleObject(std::string(finding.rule)));
     results.push_back(resultOf(finding, report, entry->second));
   }
   for (const PropertyResult& property : report.properties) {

@@ -34,7 +34,7 @@ struct Sides {
   std::vector<std::string> filesBefore, filesAfter;
   std::vector<std::string> leftOutBefore, leftOutAfter;  ///< networks that are not in the download
   AddressPairs pairs;
-  std::vector<Operand> observed;      ///< addresses of OLD
+  Operands observed;                  ///< addresses of OLD
   std::vector<Property> assumptions;  ///< that speak of both programs
 };
 

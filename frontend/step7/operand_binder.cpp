@@ -38,7 +38,7 @@ Area irArea(Place place) {
   }
 }
 
-std::shared_ptr<const Reach> reachOf(Reach reach) { return std::make_shared<const Reach>(std::move(reach)); }
+Shared<Reach> reachOf(Reach reach) { return Shared<Reach>(std::move(reach)); }
 
 std::string stepText(const PathStep& step) {
   std::string text = step.name;

@@ -106,7 +106,7 @@ rungproof::Operand pointerTo(rungproof::Operand place, Elements elements, std::s
   reach.anyCount = static_cast<std::uint16_t>(elements.count);
   operand.kind = OperandKind::Address;
   operand.text = std::move(text);
-  operand.reach = std::make_shared<const Reach>(std::move(reach));
+  operand.reach = Shared<Reach>(std::move(reach));
   return operand;
 }
 
@@ -125,7 +125,7 @@ rungproof::Operand ofConstant(const Constant& constant) {
     Reach reach{};
     reach.way = Way::OpenBlock;
     reach.inDi = code == PointerArea::Di;
-    place.reach = std::make_shared<const Reach>(std::move(reach));
+    place.reach = Shared<Reach>(std::move(reach));
     return pointerTo(place, elements, spellingOf(constant));
   }
   rungproof::Operand pointer = rungproof::constant(bits, ConstantForm::Typed);
@@ -134,7 +134,7 @@ rungproof::Operand ofConstant(const Constant& constant) {
   rungproof::Operand operand = pointerTo(place, elements, spellingOf(constant));
   Reach reach = *operand.reach;
   reach.pointer = std::move(pointer);
-  operand.reach = std::make_shared<const Reach>(std::move(reach));
+  operand.reach = Shared<Reach>(std::move(reach));
   return operand;
 }
 
@@ -195,7 +195,7 @@ std::optional<rungproof::Operand> StatementBinder::pointerActual(const Argument&
   if (mayBeValue) {
     Reach reach = *operand.reach;
     reach.isPlaceOrValue = true;
-    operand.reach = std::make_shared<const Reach>(std::move(reach));
+    operand.reach = Shared<Reach>(std::move(reach));
   }
   return operand;
 }

@@ -98,7 +98,7 @@ void StatementBinder::bind(const NetworkSyntax& syntax, MnemonicSet set, BlockSc
   network_ = nullptr;
 }
 
-void StatementBinder::append(const Desc& desc, const Statement& statement, std::vector<rungproof::Operand> operands) {
+void StatementBinder::append(const Desc& desc, const Statement& statement, rungproof::Operands operands) {
   Instruction instruction;
   instruction.desc = &desc;
   instruction.operands = std::move(operands);
@@ -154,7 +154,7 @@ bool StatementBinder::statement(const Statement& statement) {
                   statement.operand.form == OperandForm::None ? statement.mnemonic.span : statement.operand.span,
                   fmt::format("{} takes another operand", mnemonic));
   if (!operandFits(*desc, statement, operand)) return false;
-  std::vector<rungproof::Operand> operands;
+  rungproof::Operands operands;
   if (desc->operandCount > 0 && operand.operand.kind != OperandKind::Missing)
     operands.push_back(std::move(operand.operand));
   append(*desc, statement, std::move(operands));

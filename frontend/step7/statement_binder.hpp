@@ -40,7 +40,7 @@ class StatementBinder {
   bool isUndescribed(BlockKey callee) const;
   bool refuseOpaque(const BoundOperand& operand, Span span);
   void noteParameters(BlockKey callee, const Statement& statement);
-  void append(const Desc& desc, const Statement& statement, std::vector<rungproof::Operand> operands);
+  void append(const Desc& desc, const Statement& statement, rungproof::Operands operands);
   bool refuse(Syntax code, Span span, std::string message, std::string_view help = {});
   bool refuse(const BoundOperand& operand);
 

@@ -102,7 +102,7 @@ LocalVariable localVariable(const Field& field, bool isInstance, std::uint32_t p
     if (field.type.kind == TypeKind::Timer) local.address.area = Area::T;
     if (field.type.kind == TypeKind::Counter) local.address.area = Area::C;
   }
-  local.address.reach = std::make_shared<const Reach>(std::move(reach));
+  local.address.reach = Shared<Reach>(std::move(reach));
   return local;
 }
 

@@ -119,7 +119,8 @@ MnemonicResult findMnemonic(std::string_view word, const OperandContext& context
 }
 
 MnemonicResult findComparison(std::string_view word, std::string_view next, const OperandContext& context) {
-  if (word.size() > 3) return {};
+  constexpr std::string_view firstOfSigns = "<>=\\&\xE2";
+  if (word.size() > 3 || next.empty() || firstOfSigns.find(next[0]) == std::string_view::npos) return {};
   std::string sign;
   const std::size_t length = signLength(next, sign);
   if (length == 0) return {};

@@ -49,7 +49,7 @@ Letters lettersOf(std::string_view letters, Spelling spelling) {
   for (const AreaRow& row : areaRows) {
     const std::string_view name = spelling == Spelling::German ? row.german : row.international;
     const bool isHcInGerman = spelling == Spelling::German && row.area == Area::HC && text.substr(0, 2) == "HC";
-    if (text.substr(0, name.size()) != name && !isHcInGerman) continue;
+    if (!isHcInGerman && (text[0] != name[0] || !text.starts_with(name))) continue;
     const std::string_view size = text.substr(name.size());
     if (size.empty()) return {&row, 0};
     if (size.size() > 1) continue;

@@ -118,7 +118,7 @@ class Resolver {
       return fault(operand, fmt::format("{} is {}, which has no address", operand.text, toString(place)));
     }
     const Span span = operand.span;
-    std::string name = std::move(operand.text);
+    ShortText name = std::move(operand.text);
     operand = place;
     operand.span = span;
     operand.text = std::move(name);

@@ -42,6 +42,13 @@ bool isRoutine(Type type) { return type == Type::Subroutine || type == Type::Int
 
 }  // namespace
 
+const MnemonicResult& StatementReader::mnemonicOf(std::string_view word) {
+  const auto code = [](char c) { return static_cast<unsigned char>(c); };
+  KnownWord& known = words_[(code(word.front()) * 7U + code(word.back()) * 3U + word.size()) % words_.size()];
+  if (known.word != word) known = {word, findMnemonic(word, context_)};
+  return known.found;
+}
+
 StatementKind StatementReader::unknown(const Line& line) {
   const std::string_view word = slice(line.words[0].begin, line.words[0].end);
   const Span place = sink_.span(line.begin, line.end);
@@ -86,7 +93,7 @@ StatementKind StatementReader::read(const Line& line, Instruction& instruction) 
   }
   const std::uint32_t wordEnd = isApart ? line.words[1].end : first.end;
   if (!isApart) {
-    found = findMnemonic(word, context_);
+    found = mnemonicOf(word);
     if (found.desc == nullptr) return unknown(line);
     mnemonicEnd = first.begin + static_cast<std::uint32_t>(found.length);
     gluedBegin = mnemonicEnd;
@@ -242,6 +249,7 @@ bool StatementReader::readPiece(const Piece& piece, const Desc& desc, std::size_
     sink_.lookAlike(place, written, std::string(text));
   }
   operand = std::move(result.operand);
+  if (operand.kind == OperandKind::Symbol) operand.text = *names_.insert(std::move(operand.text)).first;
   operand.span = place;
   return true;
 }

@@ -3,7 +3,9 @@
 // tests/reader/statement_test.cpp.
 #pragma once
 
+#include <array>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "frontend/stl/mnemonic.hpp"
@@ -43,6 +45,7 @@ class StatementReader {
   std::string_view textOf(const Piece& piece) const {
     return piece.joined.empty() ? slice(piece.begin, piece.end) : std::string_view(piece.joined);
   }
+  const MnemonicResult& mnemonicOf(std::string_view word);
   StatementKind unknown(const Line& line);
   void gather(const Line& line, std::size_t firstWord, std::uint32_t gluedBegin);
   bool belongsTogether(const Piece& piece, std::string_view next) const;
@@ -55,6 +58,12 @@ class StatementReader {
   SyntaxSink& sink_;
   OperandContext context_;
   std::vector<Piece> pieces_;
+  struct KnownWord {
+    std::string_view word;
+    MnemonicResult found;
+  };
+  std::array<KnownWord, 64> words_{};    ///< the last of each slot: a text has few mnemonics, over and over
+  std::unordered_set<ShortText> names_;  ///< of operands, so that equal ones share their text
 };
 
 /// Least and greatest number of operands that the instruction takes in a statement list.

@@ -125,7 +125,8 @@ class Writer {
   void writeSymbols() {
     line("SYMBOL_TABLE");
     for (const Symbol& symbol : program_.symbols) {
-      const std::string address = symbol.address.text.empty() ? toString(symbol.address) : symbol.address.text;
+      const std::string address =
+          symbol.address.text.empty() ? toString(symbol.address) : std::string(symbol.address.text);
       line(fmt::format("{}\t{}\t{}", symbol.name, address, symbol.comment));
     }
     line("END_SYMBOL_TABLE");

@@ -59,6 +59,12 @@ int widthOf(const std::vector<TextCell>& cells, std::size_t begin, std::size_t e
   return width;
 }
 
+/// A line each byte of which is a column, and that is shown whole.
+bool isPlain(std::string_view line) {
+  return line.size() <= static_cast<std::size_t>(excerptWidth) &&
+         std::ranges::all_of(line, [](char c) { return c >= ' ' && c < 0x7F; });
+}
+
 }  // namespace
 
 std::string Paint::with(std::string_view code, std::string_view text) const {
@@ -71,13 +77,21 @@ int displayWidth(std::string_view text) {
   return widthOf(cells, 0, cells.size());
 }
 
-Excerpt excerptOf(const SourceFile& file, Span span) {
+Excerpt excerptOf(const SourceFile& file, Span span) { return excerptOf(file, span, file.position(span.offset).line); }
+
+Excerpt excerptOf(const SourceFile& file, Span span, std::uint32_t lineNumber) {
   Excerpt excerpt;
-  excerpt.lineNumber = file.position(span.offset).line;
+  excerpt.lineNumber = lineNumber;
   const std::string_view line = file.line(excerpt.lineNumber);
   const std::size_t start = std::min<std::size_t>(span.offset - file.lineStart(excerpt.lineNumber), line.size());
   const std::size_t stop = std::min<std::size_t>(start + span.length, line.size());
 
+  if (isPlain(line)) {
+    excerpt.line = line.substr(0, line.find_last_not_of(' ') + 1);
+    excerpt.markBegin = static_cast<int>(start);
+    excerpt.markWidth = std::max(1, static_cast<int>(stop - start));
+    return excerpt;
+  }
   std::vector<std::size_t> cellOfByte;
   const std::vector<TextCell> cells = textCells(line, cellOfByte);
   const std::size_t markFirst = cellOfByte[start];
@@ -105,12 +119,18 @@ Excerpt excerptOf(const SourceFile& file, Span span) {
 std::string drawExcerpt(const Excerpt& excerpt, int gutter, char mark, const Paint& paint,
                         std::string (Paint::*paintMark)(std::string_view) const) {
   const std::string bar = paint.blue("|");
-  const std::string margin(static_cast<std::size_t>(gutter), ' ');
-  const std::string marks(static_cast<std::size_t>(excerpt.markWidth), mark);
-  const std::string gap = excerpt.line.empty() ? "" : " ";
-  return fmt::format("{} {}\n{} {}{}{}\n{} {} {}{}\n", margin, bar,
-                     paint.blue(fmt::format("{:>{}}", excerpt.lineNumber, gutter)), bar, gap, excerpt.line, margin, bar,
-                     std::string(static_cast<std::size_t>(excerpt.markBegin), ' '), (paint.*paintMark)(marks));
+  const std::string number = std::to_string(excerpt.lineNumber);
+  const auto margin = static_cast<std::size_t>(gutter);
+  const auto blanks = [](std::size_t count) { return std::string(count, ' '); };
+  std::string text;
+  text.reserve(3 * (margin + bar.size() + 4) + 2 * excerpt.line.size() + 16);
+  text.append(margin, ' ').append(" ").append(bar).append("\n");
+  text.append(paint.blue(blanks(margin - std::min(margin, number.size())) + number)).append(" ").append(bar);
+  if (!excerpt.line.empty()) text.append(" ").append(excerpt.line);
+  text.append("\n").append(margin, ' ').append(" ").append(bar).append(" ");
+  text.append(static_cast<std::size_t>(excerpt.markBegin), ' ');
+  text.append((paint.*paintMark)(std::string(static_cast<std::size_t>(excerpt.markWidth), mark))).append("\n");
+  return text;
 }
 
 std::string placeText(const SourceSet& sources, Span span) {

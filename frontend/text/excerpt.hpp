@@ -37,6 +37,8 @@ struct Excerpt {
 /// Longest line that is shown whole, in columns.
 inline constexpr int excerptWidth = 100;
 Excerpt excerptOf(const SourceFile& file, Span span);
+/// The same for who knows the line already.
+Excerpt excerptOf(const SourceFile& file, Span span, std::uint32_t lineNumber);
 
 /// "   |\n12 | MOVW 1, VW2047\n   |         ^^^^^^\n"; the mark is repeated `mark`, already painted by `paintMark`.
 std::string drawExcerpt(const Excerpt& excerpt, int gutter, char mark, const Paint& paint,

@@ -37,7 +37,7 @@ std::string nameOf(const Instruction& call, const Pou* block) {
   if (block != nullptr) return block->name;
   const Operand& callee = call.operands[0];
   const bool isName = callee.kind == OperandKind::Symbol || libraryBlockNamed(callee.text) != nullptr;
-  return isName ? callee.text : "SBR" + std::to_string(callee.value);
+  return isName ? std::string(callee.text) : "SBR" + std::to_string(callee.value);
 }
 
 std::optional<std::int64_t> constantAt(const Instruction& call, std::size_t place) {

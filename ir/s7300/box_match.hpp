@@ -10,10 +10,10 @@
 namespace rungproof::s7300 {
 
 struct MatchedBox {
-  const Desc* desc = nullptr;     ///< for drawings only: name, pins EN and ENO, operands in the order of the statements
-  std::vector<Operand> operands;  ///< what stands at the pins
-  std::size_t length = 0;         ///< instructions, from JNB or the L of the time on
-  bool passesOn = false;          ///< A BR or A T 1 at the end: its ENO or Q goes on
+  const Desc* desc = nullptr;  ///< for drawings only: name, pins EN and ENO, operands in the order of the statements
+  Operands operands;           ///< what stands at the pins
+  std::size_t length = 0;      ///< instructions, from JNB or the L of the time on
+  bool passesOn = false;       ///< A BR or A T 1 at the end: its ENO or Q goes on
 };
 
 /// The box that begins with the JNB or L at that place; nothing if the statements behind it are those of none.

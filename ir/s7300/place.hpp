@@ -96,7 +96,7 @@ class Step7Places {
   /// What the call gives for a formal parameter, or nullptr.
   static const Operand* actual(const Context& c, std::uint32_t parameter) {
     if (c.running == nullptr || c.running->call == nullptr) return nullptr;
-    const std::vector<Operand>& operands = c.running->call->operands;
+    const Operands& operands = c.running->call->operands;
     const std::size_t first = hasInstance(*c.running->pou) ? 2 : 1;
     return first + parameter < operands.size() ? &operands[first + parameter] : nullptr;
   }

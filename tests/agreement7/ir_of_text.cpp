@@ -25,7 +25,7 @@ Width widthOf(int bitCount) {
 Operand through(Reach reach, Area area, Width width, std::uint32_t offset = 0, unsigned bit = 0) {
   Operand operand = direct(area, width, offset, bit);
   operand.kind = OperandKind::Indirect;
-  operand.reach = std::make_shared<const Reach>(std::move(reach));
+  operand.reach = Shared<Reach>(std::move(reach));
   return operand;
 }
 
@@ -216,7 +216,7 @@ struct Binder {
     operand = place;
     reach.pointer = place;
     operand.kind = OperandKind::Address;
-    operand.reach = std::make_shared<const Reach>(std::move(reach));
+    operand.reach = Shared<Reach>(std::move(reach));
     return operand;
   }
 
@@ -237,7 +237,7 @@ struct Binder {
         parameters, [&](const naive7::Variable& v) { return v.name == operand.substr(1) && v.type == type; });
   }
 
-  void append(Network& network, const std::string& mnemonic, std::vector<Operand> operands) const {
+  void append(Network& network, const std::string& mnemonic, Operands operands) const {
     const Desc* desc = s7300Instructions().named(mnemonic);
     if (desc == nullptr) {
       *faults += "no instruction " + mnemonic + "\n";
@@ -260,7 +260,7 @@ struct Binder {
       instance = target.substr(comma + 1);
       target = target.substr(0, comma);
     }
-    std::vector<Operand> operands;
+    Operands operands;
     if (target.find('[') != std::string::npos) return append(network, s.op, {memory(target)});
     Operand multi;
     if (target.starts_with("#")) {
@@ -337,7 +337,7 @@ struct Binder {
     }
     if (op == "OPN" && o.find('[') == std::string::npos) {
       Operand opened = direct(Area::DB, Width::Byte, dataByte(static_cast<std::uint32_t>(std::atoi(o.c_str() + 2)), 0));
-      if (o.starts_with("DI")) opened.reach = std::make_shared<const Reach>(Reach{Way::OpenBlock, true, false, 0, {}});
+      if (o.starts_with("DI")) opened.reach = Shared<Reach>(Reach{Way::OpenBlock, true, false, 0, {}});
       return append(network, op, {opened});
     }
     if (o.empty() || op.starts_with("NOP")) return append(network, op, {});

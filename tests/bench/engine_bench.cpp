@@ -8,7 +8,7 @@
 namespace rungproof {
 namespace {
 
-Instruction make(std::string_view mnemonic, std::vector<Operand> operands = {}) {
+Instruction make(std::string_view mnemonic, Operands operands = {}) {
   Instruction instruction;
   instruction.desc = s7200Instructions().named(mnemonic);
   instruction.operands = std::move(operands);

@@ -8,7 +8,7 @@ namespace rungproof {
 
 namespace {
 
-Instruction make(std::string_view mnemonic, std::vector<Operand> operands = {}) {
+Instruction make(std::string_view mnemonic, Operands operands = {}) {
   Instruction instruction;
   instruction.desc = s7200Instructions().named(mnemonic);
   instruction.operands = std::move(operands);
@@ -67,9 +67,7 @@ class Generator {
     }
   }
 
-  void emit(std::string_view mnemonic, std::vector<Operand> operands = {}) {
-    out_->push_back(make(mnemonic, std::move(operands)));
-  }
+  void emit(std::string_view mnemonic, Operands operands = {}) { out_->push_back(make(mnemonic, std::move(operands))); }
 
   Operand bit() {
     switch (r_.below(12)) {

@@ -24,7 +24,7 @@ Program programOf(std::string_view statements) {
 
 namespace {
 
-std::string textOf(const Desc& desc, const std::vector<Operand>& operands) {
+std::string textOf(const Desc& desc, const Operands& operands) {
   std::string text(desc.stl);
   for (std::size_t i = 0; i < operands.size(); ++i) text += (i == 0 ? " " : ", ") + toString(operands[i]);
   return text;

@@ -47,6 +47,10 @@ std::vector<bool> picturesOf(const std::vector<std::string>& networks) {
   for (const Network& network : program.pous.at(0).networks) {
     answers.push_back(shapes.canBeDrawn(network));
     EXPECT_EQ(answers.back(), isDrawn(network, program.target)) << network.number;
+    if (answers.back()) continue;
+    const Raised fbd = raise(network, Form::Fbd, program.target);
+    EXPECT_EQ(shapes.refusalOf(network).reason, fbd.reason) << network.number;
+    EXPECT_EQ(shapes.refusalOf(network).at, fbd.at) << network.number;
   }
   return answers;
 }
@@ -71,7 +75,7 @@ TEST(PictureShapes, AddressesDecideWhereACoilStandsBetween) {
 // The same contacts and boxes, but the editor's own bits hold the flow inputs of a call.
 TEST(PictureShapes, LocalMemoryAndCallsAreDrawnOneByOne) {
   picturesOf({"LD I0.0\n= L60.0\nLD L60.0\nCALL SBR0\n", "LD I0.0\n= M60.0\nLD M60.0\nCALL SBR0\n",
-              "LD I0.0\n= L60.0\nLD L60.0\n= Q0.0\n"});
+              "LD I0.0\n= L60.0\nLD L60.0\n= Q0.0\n", "LD I0.0\n= L0.0\nLD L0.0\n= Q0.0\n"});
 }
 
 }  // namespace

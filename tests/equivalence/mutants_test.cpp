@@ -26,7 +26,7 @@ struct Stimuli {
     for (const Pou& pou : program.pous) {
       for (const Network& network : pou.networks) {
         for (const Instruction& instruction : network.instructions) {
-          if (instruction.desc->stl == "ATCH" && instruction.operands.at(1).kind == OperandKind::Constant)
+          if (instruction.desc->stl == "ATCH" && instruction.operands[1].kind == OperandKind::Constant)
             events.insert(static_cast<int>(instruction.operands[1].value));
         }
       }

@@ -108,7 +108,7 @@ TEST(DrawnBlocks, PresetsThatNoTimerCanCountAreFindings) {
         fbd({"a:BOOL@%IX0.0", "y:BOOL@%QX0.0", "t:TON", "v:TIME=T#1s"},
             inElement(1, "a") + inElement(2, preset) +
                 blockElement(3, "TON", "t", {{"IN", {"1"}}, {"PT", {"2"}}}, {"Q"}) + outElement(4, {"3.Q"}, "y"));
-    return program.findings.empty() ? std::string("none") : program.findings[0].rule;
+    return program.findings.empty() ? "none" : std::string(program.findings[0].rule);
   };
   EXPECT_EQ(rule("T#50m"), "none");
   EXPECT_EQ(rule("T#2h"), "GRF002");

@@ -214,7 +214,7 @@ TEST(Plcopen, FaultsOfAllKindsAreReported) {
     std::vector<std::string> variables = fiveBits;
     variables.insert(variables.end(), {"n:INT", "t:TON", "r:REAL"});
     const Program program = readText("t.xml", plcopen(variables, "FBD", body));
-    return program.findings.empty() ? std::string() : program.findings[0].rule;
+    return program.findings.empty() ? "" : std::string(program.findings[0].rule);
   };
   EXPECT_EQ(rule(inElement(1, "a") + inElement(1, "b") + outElement(2, {"1"}, "y")), "GRF001");  // one id twice
   EXPECT_EQ(rule(inElement(1, "a") + blockElement(2, "FROBNICATE", "", {{"IN", {"1"}}}, {"OUT"}) +

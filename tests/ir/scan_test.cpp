@@ -19,7 +19,7 @@ struct NoHooks {
   void freshLocal(auto&, unsigned, std::uint32_t) {}
 };
 
-Instruction make(std::string_view mnemonic, std::vector<Operand> operands = {}) {
+Instruction make(std::string_view mnemonic, Operands operands = {}) {
   Instruction instruction;
   instruction.desc = s7200Instructions().named(mnemonic);
   instruction.operands = std::move(operands);

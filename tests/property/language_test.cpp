@@ -122,7 +122,7 @@ TEST(PropertyLanguage, ABlankInAnAddressIsNamed) {
 TEST(PropertyLanguage, MistakesSayWhatIsMissing) {
   const auto messageOf = [](std::string_view expression) {
     Reading reading("prove p: " + std::string(expression));
-    return reading.findings.empty() ? std::string() : reading.findings[0].message;
+    return reading.findings.empty() ? "" : std::string(reading.findings[0].message);
   };
   EXPECT_EQ(messageOf("VW0 / 2 > 5"), "'/' does not belong here");
   EXPECT_EQ(messageOf("Q0.0 or or Q0.1"), "'or' does not belong here");

@@ -35,9 +35,9 @@ TEST(Execution, FollowsConstantConditions) {
   const ExecutionTable& execution = linted.facts->execution();
   EXPECT_FALSE(execution.at(3).isReachable);
   EXPECT_TRUE(execution.at(8).isReachable);
-  ASSERT_NE(execution.at(8).skippedBy, nullptr);
-  EXPECT_EQ(execution.at(8).skippedBy->id, 6U);
-  EXPECT_EQ(execution.at(4 + 1).skippedBy, nullptr);
+  ASSERT_TRUE(execution.at(8).isSkipped());
+  EXPECT_EQ(execution.at(8).skipper, 6U);
+  EXPECT_FALSE(execution.at(4 + 1).isSkipped());
 }
 
 TEST(Execution, CountsCallsPerScan) {

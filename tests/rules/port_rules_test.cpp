@@ -85,7 +85,7 @@ TEST(Prt001, WithPortToEveryDifferenceSpeaks) {
 TEST(Prt001, WhatTheCpuLacksIsToldByTheRulesOfLimits) {
   const auto message = [](const std::string& text, Target from, Target to) {
     const auto findings = ported(text, from, to);
-    return findings.size() == 1 ? findings[0].message : std::to_string(findings.size()) + " findings";
+    return findings.size() == 1 ? std::string(findings[0].message) : std::to_string(findings.size()) + " findings";
   };
   EXPECT_TRUE(message("Network 1\nLD I0.0\nEU\nNETW VB200, 0\n", cpu226, smartCpu).starts_with("on a CPU ST40: "));
   // HDEF mode 12 exists on the S7-200 only; HDEF 0, 2 is a mode with a start input.

@@ -37,7 +37,8 @@ std::set<std::string> places(const Linted& linted) {
   std::set<std::string> result;
   const auto add = [&](const Finding& finding) {
     const std::uint32_t line = program.sources->position(finding.span).line;
-    result.insert(joining.contains(finding.rule) ? finding.rule : finding.rule + " line " + std::to_string(line));
+    result.insert(joining.contains(finding.rule) ? std::string(finding.rule)
+                                                 : finding.rule + " line " + std::to_string(line));
   };
   for (const Finding& finding : program.findings) add(finding);
   for (const Finding& finding : runRules(*linted.facts, RuleSelection(), {})) add(finding);

@@ -31,21 +31,21 @@ class Builder {
   using Index = std::uint32_t;
 
   Index rail() { return add(Shape::Rail, nullptr, {}, {}); }
-  Index contact(std::string_view mnemonic, std::vector<Operand> operands, Index from) {
+  Index contact(std::string_view mnemonic, Operands operands, Index from) {
     return add(Shape::Contact, instruction(mnemonic), std::move(operands), {{from}});
   }
   Index no(std::string_view address, Index from) { return contact("LD", {bitOf(address)}, from); }
   Index nc(std::string_view address, Index from) { return contact("LDN", {bitOf(address)}, from); }
   Index either(std::vector<Index> from) { return add(Shape::Or, nullptr, {}, wires(from)); }
   Index both(std::vector<Index> from) { return add(Shape::And, nullptr, {}, wires(from)); }
-  Index box(std::string_view mnemonic, std::vector<Operand> operands, std::vector<Index> from) {
+  Index box(std::string_view mnemonic, Operands operands, std::vector<Index> from) {
     return add(Shape::Box, instruction(mnemonic), std::move(operands), wires(from));
   }
-  Index coil(std::string_view mnemonic, std::vector<Operand> operands, Index from) {
+  Index coil(std::string_view mnemonic, Operands operands, Index from) {
     return add(Shape::Coil, instruction(mnemonic), std::move(operands), {{from}});
   }
   Index out(std::string_view address, Index from) { return coil("=", {bitOf(address)}, from); }
-  Index heading(std::string_view mnemonic, std::vector<Operand> operands) {
+  Index heading(std::string_view mnemonic, Operands operands) {
     return add(Shape::Coil, instruction(mnemonic), std::move(operands), {});
   }
   void negate(Index element, std::size_t input) { drawing.elements[element].inputs[input].negated = true; }
@@ -63,7 +63,7 @@ class Builder {
     for (const Index i : from) list.push_back({i});
     return list;
   }
-  Index add(Shape shape, const Desc* desc, std::vector<Operand> operands, std::vector<Wire> inputs) {
+  Index add(Shape shape, const Desc* desc, Operands operands, std::vector<Wire> inputs) {
     // Every element gets a place of its own, so that findings can point at it.
     drawing.elements.push_back({shape,
                                 desc,

@@ -156,7 +156,7 @@ TEST(Layout, ChainOfBoxesWithEno) {
 TEST(Layout, HeadingsStandOnTheRail) {
   for (const std::string_view mnemonic : {"LSCR", "SCRE", "NEXT"}) {
     Builder b;
-    b.heading(mnemonic, mnemonic == "LSCR" ? std::vector<Operand>{bitOf("S0.1")} : std::vector<Operand>{});
+    b.heading(mnemonic, mnemonic == "LSCR" ? Operands{bitOf("S0.1")} : Operands{});
     expectSoundInBothForms(b.drawing);
   }
 }

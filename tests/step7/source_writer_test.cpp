@@ -28,7 +28,7 @@ std::string instructionsOf7(const Program& program) {
         const bool isCall = instruction.desc->control == Control::BlockCall;
         for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
           Operand operand = instruction.operands[i];
-          if (isCall && i == 0 && operand.kind == OperandKind::Constant) operand.text.clear();
+          if (isCall && i == 0 && operand.kind == OperandKind::Constant) operand.text = "";
           text += fmt::format(" {}/{}/{}", show7(operand), static_cast<int>(operand.kind), operand.value);
         }
       }
