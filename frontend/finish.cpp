@@ -1,12 +1,52 @@
 // The end of every command that judges a program: reports in all requested forms, and the exit code.
 #include <algorithm>
+#include <array>
 #include <ostream>
-#include <sstream>
+#include <streambuf>
 
 #include "frontend/command.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
+
+namespace {
+
+/// Hands on what is written to a stream piece by piece: the report of a long program is longer than its text.
+class PieceBuffer : public std::streambuf {
+ public:
+  explicit PieceBuffer(const TakePiece& take) : take_(take) { empty(); }
+
+  /// Hands on the rest; whether every piece was taken.
+  bool finish() { return handOn(); }
+
+ protected:
+  int_type overflow(int_type c) override {
+    if (!handOn()) return traits_type::eof();
+    if (!traits_type::eq_int_type(c, traits_type::eof())) sputc(traits_type::to_char_type(c));
+    return traits_type::not_eof(c);
+  }
+  std::streamsize xsputn(const char* text, std::streamsize count) override {
+    if (count <= epptr() - pptr()) return std::streambuf::xsputn(text, count);
+    if (!handOn()) return 0;
+    if (count <= epptr() - pptr()) return std::streambuf::xsputn(text, count);
+    isTaken_ = take_({text, static_cast<std::size_t>(count)});
+    return isTaken_ ? count : 0;
+  }
+
+ private:
+  void empty() { setp(room_.data(), room_.data() + room_.size()); }
+  bool handOn() {
+    if (isTaken_ && pptr() > pbase()) isTaken_ = take_({pbase(), static_cast<std::size_t>(pptr() - pbase())});
+    empty();
+    return isTaken_;
+  }
+
+  const TakePiece& take_;
+  std::array<char, 65536> room_;
+  bool isTaken_ = true;
+};
+
+}  // namespace
 
 Exit Context::fail(const Failure& failure) const {
   out.flush();
@@ -39,12 +79,15 @@ Exit finish(const Context& context, Report report) {
   for (const OutputRequest& output : context.outputs) {
     const Reporter* reporter = reporterNamed(output.name);
     CHECK(reporter != nullptr, "formats are checked when the command line is read");
-    std::ostringstream text;
-    reporter->write(
-        report,
-        {context.color && output.file.empty(), context.settings.flag(Opt::Quiet), context.settings.flag(Opt::Verbose)},
-        text);
-    if (!context.write(output, text.view())) exit = Exit::Failed;
+    const ReportStyle style{context.color && output.file.empty(), context.settings.flag(Opt::Quiet),
+                            context.settings.flag(Opt::Verbose)};
+    const bool isWritten = context.write(output, [&](const TakePiece& take) {
+      PieceBuffer pieces(take);
+      std::ostream text(&pieces);
+      reporter->write(report, style, text);
+      return pieces.finish();
+    });
+    if (!isWritten) exit = Exit::Failed;
   }
   return exit;
 }
