@@ -24,13 +24,13 @@ SimulationRuns::SimulationRuns(const BitSystem& system, std::uint64_t seed)
 /// Lanes in which an input is chosen anew: in every scan, in one of 8, of 64 and of 1024. What is rarer is drawn from
 /// what is left of the more frequent, so that most draws are shared.
 std::uint64_t SimulationRuns::changes() {
-  constexpr std::uint64_t eighth = everyScan << 1U, sixtyFourth = everyScan << 2U, thousandth = everyScan << 3U;
   const auto oneOfEight = [this] { return random_() & random_() & random_(); };
+  const auto lanes = [](int kind) { return everyScan << kind; };
   std::uint64_t rare = oneOfEight();
-  std::uint64_t result = everyScan | (rare & eighth);
-  if ((rare &= sixtyFourth | thousandth) != 0) rare &= oneOfEight();
-  result |= rare & sixtyFourth;
-  rare &= thousandth;
+  std::uint64_t result = everyScan | (rare & lanes(1));
+  if ((rare &= lanes(2) | lanes(3)) != 0) rare &= oneOfEight();
+  result |= rare & lanes(2);
+  rare &= lanes(3);
   for (int halving = 0; halving < 4 && rare != 0; ++halving) rare &= random_();
   return result | rare;
 }
