@@ -21,18 +21,11 @@ SimulationRuns::SimulationRuns(const BitSystem& system, std::uint64_t seed)
   restart();
 }
 
-/// Lanes in which an input is chosen anew: in every scan, in one of 8, of 64 and of 1024. What is rarer is drawn from
-/// what is left of the more frequent, so that most draws are shared.
-std::uint64_t SimulationRuns::changes() {
-  const auto oneOfEight = [this] { return random_() & random_() & random_(); };
-  const auto lanes = [](int kind) { return everyScan << kind; };
-  std::uint64_t rare = oneOfEight();
-  std::uint64_t result = everyScan | (rare & lanes(1));
-  if ((rare &= lanes(2) | lanes(3)) != 0) rare &= oneOfEight();
-  result |= rare & lanes(2);
-  rare &= lanes(3);
-  for (int halving = 0; halving < 4 && rare != 0; ++halving) rare &= random_();
-  return result | rare;
+/// Each bit is set with probability 2^-halvings.
+std::uint64_t SimulationRuns::sparse(int halvings) {
+  std::uint64_t mask = random_();
+  for (int i = 1; i < halvings && mask != 0; ++i) mask &= random_();
+  return mask;
 }
 
 void SimulationRuns::restart() {
@@ -54,7 +47,9 @@ bool SimulationRuns::choose() {
   std::vector<std::uint64_t> before(system_.inputs.size());
   for (std::size_t i = 0; i < before.size(); ++i) {
     before[i] = simulator_.input(i);
-    const std::uint64_t change = fresh_ ? ~0ULL : changes();
+    const std::uint64_t change = fresh_ ? ~0ULL
+                                        : everyScan | (everyScan << 1U & sparse(3)) | (everyScan << 2U & sparse(6)) |
+                                              (everyScan << 3U & sparse(10));
     simulator_.setInput(i, (before[i] & ~change) | (random_() & change));
   }
   const auto judge = [&] {

@@ -26,7 +26,7 @@ class SimulationRuns {
   std::mt19937_64& random() { return random_; }
 
  private:
-  std::uint64_t changes();
+  std::uint64_t sparse(int halvings);
   std::uint64_t violating();
   void redraw(std::uint64_t wrong, const std::vector<std::uint64_t>& before, bool keep);
   void takeSamples(std::uint64_t wrong, std::size_t attempt);
@@ -38,7 +38,7 @@ class SimulationRuns {
   std::uint64_t live_ = ~0ULL;
   bool fresh_ = true;
   std::vector<std::uint32_t> ofConstraints_, others_;  ///< gates that the constraints depend on, and those left
-  std::vector<std::vector<bool>> samples_;             ///< inputs that meet the constraints in the initial state
+  std::vector<std::vector<bool>> samples_;  ///< inputs that meet the constraints in the initial state
 };
 
 }  // namespace rungproof
