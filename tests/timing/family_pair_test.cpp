@@ -25,9 +25,9 @@ struct Pair {
 std::ostream& operator<<(std::ostream& out, const Pair& pair) { return out << pair.name; }
 
 constexpr Pair pairs[] = {
-    {"guard_door", 2.8},
-    {"guard_locking", 1.6},
-    {"press_two_hand", 1.8},
+    {"guard_door", 2.4},
+    {"guard_locking", 1.5},
+    {"press_two_hand", 1.5},
     {"reversing", 1.5},
     {"press_two_hand_faulty", 1.5},
     {"pump_alternation", 1.5},
@@ -35,9 +35,9 @@ constexpr Pair pairs[] = {
     {"reversing_faulty", 1.5},
     {"wound_rotor", 9},
     {"star_delta", 3},
-    {"notaus", 4.8},
+    {"notaus", 4.5},
     {"muting_limit", 4.5},
-    {"hoist", 4.5},
+    {"hoist", 4},
     {"star_delta_dead_time", 10},
 };
 
