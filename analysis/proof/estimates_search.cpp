@@ -14,13 +14,13 @@ std::vector<Node> QuestionSearch::estimatesOf(std::size_t question) {
   return used;
 }
 
-/// A run that rests on estimates: perhaps there is one without. True: the question was asked so and answered.
+/// A run that rests on estimates: perhaps there is one without. True: the question was asked so, and need not be asked
+/// otherwise.
 bool QuestionSearch::searchWithoutEstimates(std::size_t question, QuestionAnswer& answer,
                                             std::optional<Witness>& witness) {
   const bool isWritten = written_.contains(question);
   const std::vector<Node> estimates = estimatesOf(question);
   if (estimates.empty() || !mayGoOn()) return false;
-  triedWithoutEstimates_.insert(question);
   const auto without = [&](TransitionSystem system) {
     for (const Node used : estimates) system.constraints.push_back(system.graph->make(Op::Not, 1, used));
     return system;
@@ -34,9 +34,10 @@ bool QuestionSearch::searchWithoutEstimates(std::size_t question, QuestionAnswer
   else if (!isOfMany_ || isWritten)
     found = ask(system, left(), deadline_)[0];
   if (found.answer == Answer::Violated) witness = replayed(*exact_, system, question, *found.trace);
-  const bool isAnswered = found.answer != Answer::Unknown;
+  // One of many has time to be asked once more, not twice.
+  const bool isEnough = isOfMany_ || found.answer != Answer::Unknown;
   if (witness) answer = std::move(found);
-  return isAnswered;
+  return isEnough;
 }
 
 /// Together with all others whose run rests on the same estimates and is not repeated.

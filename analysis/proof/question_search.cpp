@@ -167,14 +167,11 @@ QuestionSearch::Found QuestionSearch::answer(std::size_t question, const Time& t
   const auto isUnconfirmed = [&] { return !witness && answer.answer == Answer::Violated; };
   OwnRuns own(*this, question);
   if (isUnconfirmed() && !restsOnReals(question)) witness = own.search(answer, schedule::ownRunsShare);
-  // With little time, a question is asked once more, not twice.
-  const bool isAsked = isUnconfirmed() && searchWithoutEstimates(question, answer, witness);
-  bool isTried = isAsked || (isOfMany_ && triedWithoutEstimates_.contains(question));
+  const bool isTried = isUnconfirmed() && searchWithoutEstimates(question, answer, witness);
   const bool isOpen = !witness && answer.answer != Answer::Proved;
   if (isOpen && !isTried && mayGoOn()) {
     std::tie(answer, witness) = search(question, answer.answer);
-    const bool isAskedAgain = isUnconfirmed() && isOfMany_ && triedWithoutEstimates_.contains(question);
-    isTried = isUnconfirmed() && !isAskedAgain && searchWithoutEstimates(question, answer, witness);
+    if (isUnconfirmed()) searchWithoutEstimates(question, answer, witness);
   }
   if (isUnconfirmed()) witness = own.search(answer, schedule::lastOwnRunsShare);
   // A run that shows what is wanted is a verdict; how long it is and what matters in it is for people.

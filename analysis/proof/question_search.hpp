@@ -141,8 +141,7 @@ class QuestionSearch {
   std::map<std::size_t, Witness> early_;                    ///< by goal: witnesses of runs during the encoding
   std::map<std::size_t, Witness> found_;                    ///< by question: witnesses of answerQuickly()
   std::map<std::size_t, QuestionAnswer> withoutEstimates_;  ///< by question: what holds of runs that use no estimate
-  std::set<std::size_t> triedWithoutEstimates_;             ///< questions that were asked so
-  std::set<std::size_t> triedTogether_;                     ///< the same, of those that were asked with others
+  std::set<std::size_t> triedTogether_;                     ///< questions that were asked so with others
   std::set<std::size_t> unconfirmed_;  ///< questions whose run of answerQuickly() the engine does not repeat
   /// The variables that the question replayed last depends on.
   std::optional<std::pair<std::size_t, std::unordered_set<std::uint32_t>>> replayedCone_;
