@@ -1,53 +1,48 @@
-// LaneEmitter: goes through recorded code once and gives every needed step its vector instructions (AVX2), for all
-// traces of a group. Branches are followed by masks: active() says which traces run; those that branch wait in the row
-// of their mark until control, which always goes on with the first block that anybody waits for, comes there. A value
-// that another block uses is kept in a row; within a block the library finds registers.
+// LaneEmitter: recorded code as instructions of AVX2, for groups of 32 traces, or 256 where there are truth values
+// only. A truth value is a register of masks.
 #pragma once
 
-#include <asmjit/x86.h>
-
-#include <deque>
-#include <optional>
 #include <unordered_map>
 
-#include "engine/lanes/lane_code.hpp"
-#include "engine/lanes/lane_flow.hpp"
+#include "engine/lanes/register_pool.hpp"
+#include "engine/lanes/step_emitter.hpp"
 
 namespace rungproof::lanes {
 
-class LaneEmitter {
+/// Registers of one form.
+struct Vec {
+  Rep rep = Rep::Truth;
+  std::array<asmjit::x86::Ymm, mostPieces> piece{};
+};
+
+class LaneEmitter : public StepEmitter<LaneEmitter, Vec> {
  public:
-  LaneEmitter(const Code& code, const std::vector<bool>& isNeeded, LaneLayout& layout, std::deque<StepByTrace>& byTrace,
-              asmjit::CodeHolder& holder);
-  /// False: the library could not do it.
-  bool emit();
+  explicit LaneEmitter(const Translation& translation) : StepEmitter(translation, false) {}
 
  private:
-  using Gp = asmjit::x86::Gp;
+  friend StepEmitter;
   using Ymm = asmjit::x86::Ymm;
-  using Mem = asmjit::x86::Mem;
-  using InstId = asmjit::InstId;
-  struct Vec {
-    Rep rep = Rep::Truth;
-    std::array<Ymm, mostPieces> piece{};
-  };
 
   // lane_emitter.cpp
-  void control(const Step& s);
+  void begin();
+  void end() {}
   void store(const Step& s);
+  void branch(const Step& s);
   void branchForward(const Step& s);
   void branchBack(const Step& s);
   Ymm takers(const Step& s);
   void wait(std::size_t row, const Ymm& who);
-  void beginBlock(std::uint32_t block, std::size_t waiting);
-  void skipIfNobody();
+  void join(std::size_t waiting);
+  void skipIfNobody(std::uint32_t block);
   void leave(const Step& s);
-  void checkTime();
+  void leaveAll();
+  void count(const Step& s);
   void keep(ValueId id, const Vec& value);
 
   // lane_values.cpp
   void value(ValueId id);
   Vec valueOf(const Step& s);
+  Vec numberOf(const Step& s);
   Vec truth(const Step& s);
   Vec testBit(const Step& s);
   Vec comparison(const Step& s);
@@ -55,15 +50,12 @@ class LaneEmitter {
   Vec signOf(const Vec& number);
   Vec lessOf(const Step& s, Rep rep);
   Vec arithmetic(const Step& s);
+  Vec bitwise(const Step& s);
   Vec select(const Step& s);
-  Vec shift(const Step& s);
   Vec real(const Step& s);
-  Vec extract(const Step& s);
-  Vec join(const Step& s);
-  Vec byTrace(const Step& s);
+  Vec joinOf(const Step& s);
 
   // lane_memory.cpp
-  Vec loadMemory(const Step& s);
   Vec loadSlots(const Step& s);
   Vec together(const Vec& high, const Vec& low);
   Vec byteOf(const Vec& value, std::uint32_t k);
@@ -73,23 +65,32 @@ class LaneEmitter {
   void storeMemory(const Step& s);
   void storeSlots(const Step& s);
   void storeRow(Row row, const Vec& value);
-  void callByTrace(const StepByTrace& by, Rep rep);
+  void saveActive() { save(layout_.active(), active_); }
+  /// Vector registers outlast a call, as far as the code library sees to it.
+  void beforeCall() {}
 
   // lane_vectors.cpp
-  /// A register of the library's, of which there are as many as hold something at once.
-  Ymm fresh();
+  Ymm fresh() {
+    return ymms_.take([&] { return c_.newYmm(); });
+  }
   void hold(ValueId id, Rep rep, bool isMask, const Vec& value);
   void release();
+  void forgetAll();
   /// A value of this or an earlier block, as a number or, of a truth value, as masks of such numbers.
   Vec use(ValueId id, Rep rep, bool isMask = false);
   Vec made(ValueId id);
   Vec loaded(Row row);
+  Vec copyOf(Row row) { return loaded(row); }
   Vec constant(std::uint64_t value, Rep rep);
   Mem constantRow(std::uint64_t value, Rep rep);
   Vec widened(const Vec& value, bool isMask);
   Vec narrowed(const Vec& value, bool isMask);
   Vec toTruth(Vec mask);
+  /// Where numbers are 1.
+  Vec isOne(const Vec& number);
   Vec cut(const Vec& value, int width);
+  /// The lowest bits in the form `rep`.
+  Vec fit(Vec value, Rep rep, int width);
   Vec shifted(const Vec& value, bool isLeft, std::uint32_t count);
   Vec each(InstId id, const Vec& a, const Vec& b);
   Vec each(InstId id, const Vec& a, const Mem& b);
@@ -98,25 +99,12 @@ class LaneEmitter {
   Ymm op(InstId id, const asmjit::Operand& a, const asmjit::Operand& b);
   Ymm load(std::size_t offset);
   void save(std::size_t offset, const Ymm& value);
-  Mem at(std::size_t offset, std::uint32_t bytes = rowBytes);
+  void save(std::size_t offset, const Vec& value);
+  Mem at(std::size_t offset, std::uint32_t bytes = rowBytes) { return StepEmitter::at(offset, bytes); }
 
-  const Code& code_;
-  const std::vector<bool>& isNeeded_;
-  LaneLayout& layout_;
-  std::deque<StepByTrace>& byTrace_;
-  asmjit::x86::Compiler c_;
-  Gp rows_;
-  Gp position_;  ///< time that this scan has taken at most, 10 ns
-  Ymm active_;   ///< traces that run; not of straight code
-
-  const LaneFlow flow_;
+  Ymm active_;                                     ///< traces that run; not of straight code
   std::unordered_map<std::uint64_t, Vec> values_;  ///< of this block, by value, form, and if it is a mask
-  static constexpr int isFree = -1;
-  std::unordered_map<std::uint32_t, int> holders_;    ///< by register: how often it stands in values_
-  std::unordered_map<std::uint32_t, Ymm> registers_;  ///< by number
-  std::vector<Ymm> ofStep_, free_;                    ///< registers given out in this step; unused ones
-  std::vector<asmjit::Label> labels_;                 ///< by block, and one behind the last
-  ValueId step_ = 0;                                  ///< that is being emitted
+  RegisterPool<Ymm> ymms_;
 };
 
 }  // namespace rungproof::lanes

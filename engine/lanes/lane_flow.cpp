@@ -63,7 +63,7 @@ void LaneFlow::findMasks() {
     const Step& s = code_.steps[i];
     if (!isBranch(s.op) || isCommon[i]) continue;
     const ValueId target = markAt.at(s.value);
-    joins[s.value] = true;
+    joins.insert(s.value);
     if (target > i) {
       ++waiting[i + 1];
       --waiting[target];

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <unordered_map>
+#include <unordered_set>
 
 #include "engine/lanes/lane_layout.hpp"
 
@@ -34,7 +35,7 @@ class LaneFlow {
   /// Registers, each with a row that holds it as one number while the code runs: the last value is common, and who
   /// reads it before finds it common too.
   std::unordered_map<std::uint64_t, std::size_t> oneNumberAt;
-  std::unordered_map<std::uint64_t, bool> joins;  ///< by number of a mark: traces may wait for it
+  std::unordered_set<std::uint64_t> joins;  ///< numbers of marks that traces may wait for
 
  private:
   void findBlocks();

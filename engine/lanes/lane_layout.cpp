@@ -152,6 +152,16 @@ std::optional<Row> LaneLayout::cell(Area area, std::uint32_t byte, int bytes) co
   return Row{cells_[found->second].at, repFor(8 * bytes)};
 }
 
+std::vector<Row> LaneLayout::rowsWithin(Area area, std::uint32_t first, std::uint32_t count) const {
+  std::vector<Row> found;
+  for (std::uint32_t byte = first; byte < first + count; ++byte) {
+    for (const int size : {1, 2, 4}) {
+      if (const auto row = cell(area, byte, size)) found.push_back(*row);
+    }
+  }
+  return found;
+}
+
 void LaneLayout::keepRows(std::size_t count) { kept_ = rows(count, Rep::Byte); }
 
 std::uint64_t numberIn(const std::uint8_t* rows, Row row, std::size_t lane, Form form) {

@@ -5,7 +5,9 @@
 // eight equal bits for each truth value, where the processor has 256 bits only. Covered by tests/lanes.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
@@ -46,6 +48,10 @@ constexpr Rep repFor(int width) {
          : width <= 32 ? Rep::Double
                        : Rep::Quad;
 }
+/// The same for a number: a bit takes a byte.
+constexpr Rep numberFor(int width) { return std::max(repFor(width), Rep::Byte); }
+constexpr Rep wider(Rep rep) { return static_cast<Rep>(static_cast<int>(rep) + 1); }
+constexpr Rep narrower(Rep rep) { return static_cast<Rep>(static_cast<int>(rep) - 1); }
 constexpr int bitsOf(Rep rep) { return rep == Rep::Truth ? 1 : 4 << static_cast<int>(rep); }
 
 /// Where the number of a trace stands in a row of Form::Bytes: numbers are widened half by half within 128 bits, as the
@@ -54,8 +60,7 @@ constexpr std::size_t elementOf(Rep rep, std::size_t lane) {
   if (rep <= Rep::Byte) return lane;
   const std::size_t perHalf = 128 / static_cast<std::size_t>(bitsOf(rep));
   // The element one form narrower, its register, and the place in its half of it.
-  const Rep narrower = static_cast<Rep>(static_cast<int>(rep) - 1);
-  const std::size_t from = elementOf(narrower, lane), halfBefore = 2 * perHalf;
+  const std::size_t from = elementOf(narrower(rep), lane), halfBefore = 2 * perHalf;
   const std::size_t piece = from / (2 * halfBefore), half = from / halfBefore % 2, at = from % halfBefore;
   return (2 * piece + at / perHalf) * 2 * perHalf + half * perHalf + at % perHalf;
 }
@@ -76,6 +81,11 @@ struct ReachedRows {
 constexpr int widthOf(const Step& s) {
   if (isTruth(s.op)) return 1;
   return s.op == CodeOp::Join ? s.width + static_cast<int>(s.value) : s.width;
+}
+
+/// The same of a constant: as many as it takes.
+constexpr int bitsNeeded(const Step& s) {
+  return s.op == CodeOp::Constant ? std::max(1, static_cast<int>(std::bit_width(s.value))) : widthOf(s);
 }
 
 /// Whether a step makes local memory 0, as it is when a block begins: that says nothing of how the bytes are used.
@@ -113,6 +123,8 @@ class LaneLayout {
   std::optional<Row> reg(std::size_t index) const { return registers_[index]; }
   /// The row of just those bytes, or nothing.
   std::optional<Row> cell(Area area, std::uint32_t byte, int bytes) const;
+  /// All rows that begin at one of so many bytes.
+  std::vector<Row> rowsWithin(Area area, std::uint32_t first, std::uint32_t count) const;
   /// Rows of single bytes.
   const ReachedRows& reached(Area area) const { return reached_[static_cast<std::size_t>(area)]; }
   /// Room for so many rows that the emitter wants to keep from block to block.

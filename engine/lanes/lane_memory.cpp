@@ -34,7 +34,7 @@ void LaneEmitter::storeRow(Row row, const Vec& value) {
 }
 
 /// Two numbers as one of twice the width.
-LaneEmitter::Vec LaneEmitter::together(const Vec& high, const Vec& low) {
+Vec LaneEmitter::together(const Vec& high, const Vec& low) {
   const bool isByte = high.rep == Rep::Byte;
   Vec both{isByte ? Rep::Word : Rep::Double};
   for (std::size_t i = 0; i < pieceCount(high.rep); ++i) {
@@ -45,50 +45,25 @@ LaneEmitter::Vec LaneEmitter::together(const Vec& high, const Vec& low) {
 }
 
 /// Byte number `k` of numbers, 0 the lowest.
-LaneEmitter::Vec LaneEmitter::byteOf(const Vec& value, std::uint32_t k) {
+Vec LaneEmitter::byteOf(const Vec& value, std::uint32_t k) {
   const bool isTop = 8 * (static_cast<int>(k) + 1) == bitsOf(value.rep);
-  Vec byte = k == 0 ? value : shifted(value, false, 8 * k);
-  if (!isTop) byte = cut(byte, 8);
-  while (byte.rep > Rep::Byte) byte = narrowed(byte, false);
-  return byte;
-}
-
-LaneEmitter::Vec LaneEmitter::loadMemory(const Step& s) {
-  const auto byte = static_cast<std::uint32_t>(s.value);
-  const int bytes = s.width / 8;
-  if (const auto row = layout_.cell(s.area, byte, bytes)) return loaded(*row);
-  const auto single = [&](std::uint32_t k) {
-    const auto row = layout_.cell(s.area, byte + k, 1);
-    CHECK(row.has_value(), "a byte without a row");
-    return loaded(*row);
-  };
-  CHECK(bytes == 2 || bytes == 4, "a width that no instruction has");
-  const Vec first = together(single(0), single(1));
-  return bytes == 2 ? first : together(first, together(single(2), single(3)));
+  return fit(k == 0 ? value : shifted(value, false, 8 * k), Rep::Byte, isTop ? bitsOf(value.rep) : 8);
 }
 
 void LaneEmitter::storeMemory(const Step& s) {
-  const auto byte = static_cast<std::uint32_t>(s.value);
-  const int bytes = s.width / 8;
+  const std::uint32_t bytes = s.width / 8U;
   if (isClearing(s, code_)) {
-    for (int k = 0; k < bytes; ++k) {
-      for (const int size : {1, 2, 4}) {
-        const auto row = layout_.cell(s.area, byte + static_cast<std::uint32_t>(k), size);
-        if (row) storeRow(*row, constant(0, row->rep));
-      }
-    }
+    for (const Row& row : layout_.rowsWithin(s.area, static_cast<std::uint32_t>(s.value), bytes))
+      storeRow(row, constant(0, row.rep));
     return;
   }
   const Vec value = use(s.a, repFor(s.width));
-  if (const auto row = layout_.cell(s.area, byte, bytes)) return storeRow(*row, value);
-  for (int k = 0; k < bytes; ++k) {
-    const auto row = layout_.cell(s.area, byte + static_cast<std::uint32_t>(k), 1);
-    CHECK(row.has_value(), "a byte without a row");
-    storeRow(*row, byteOf(value, static_cast<std::uint32_t>(bytes - 1 - k)));
-  }
+  if (const auto row = layout_.cell(s.area, static_cast<std::uint32_t>(s.value), static_cast<int>(bytes)))
+    return storeRow(*row, value);
+  for (std::uint32_t k = 0; k < bytes; ++k) storeRow(byteRow(s, k), byteOf(value, bytes - 1 - k));
 }
 
-LaneEmitter::Vec LaneEmitter::loadSlots(const Step& s) {
+Vec LaneEmitter::loadSlots(const Step& s) {
   Vec byte{Rep::Byte};
   for (std::uint64_t bit = 0; bit < 8; ++bit) {
     const Ymm own = op(Inst::kIdVpand, load(layout_.slot(s.value + bit)), constantRow(1ULL << bit, Rep::Byte));
@@ -110,22 +85,11 @@ void LaneEmitter::storeSlots(const Step& s) {
   }
 }
 
-void LaneEmitter::callByTrace(const StepByTrace& by, Rep rep) {
-  if (!code_.isStraight) save(layout_.active(), active_);
-  InvokeNode* call = nullptr;
-  c_.invoke(&call, imm(reinterpret_cast<std::uintptr_t>(&doByTrace)),
-            FuncSignatureT<void, const void*, const void*, void*, std::uint64_t>());
-  call->setArg(0, imm(reinterpret_cast<std::uintptr_t>(&by)));
-  call->setArg(1, imm(reinterpret_cast<std::uintptr_t>(&layout_)));
-  call->setArg(2, rows_);
-  call->setArg(3, imm(static_cast<std::uint64_t>(rep)));
-}
-
 /// Where all traces that run have the same address, gives where its first row stands from rows_ on, and goes on behind
 /// this; else at `differ`. The addresses then stand in the first scratch row.
 x86::Gp LaneEmitter::commonPlace(const Step& s, const Label& differ) {
   const Vec address = use(s.a, Rep::Double);
-  for (std::size_t i = 0; i < pieceCount(Rep::Double); ++i) save(layout_.scratch(0) + rowBytes * i, address.piece[i]);
+  save(layout_.scratch(0), address);
   Ymm active = active_;
   if (code_.isStraight) active = load(layout_.active());
   const Gp place = c_.newGpq(), table = c_.newGpq();
@@ -151,7 +115,7 @@ x86::Gp LaneEmitter::commonPlace(const Step& s, const Label& differ) {
   return place;
 }
 
-LaneEmitter::Vec LaneEmitter::loadAt(const Step& s) {
+Vec LaneEmitter::loadAt(const Step& s) {
   const Rep rep = repFor(s.width);
   const Label differ = c_.newLabel(), done = c_.newLabel();
   Vec value{rep};
@@ -163,14 +127,11 @@ LaneEmitter::Vec LaneEmitter::loadAt(const Step& s) {
     c_.vmovdqa(byte, x86::ptr(rows_, place, 0, static_cast<std::int32_t>(reached.at + rowBytes * k), rowBytes));
     return Vec{Rep::Byte, {byte}};
   };
-  const int bytes = s.width / 8;
-  const Vec common = bytes == 1   ? single(0)
-                     : bytes == 2 ? together(single(0), single(1))
-                                  : together(together(single(0), single(1)), together(single(2), single(3)));
+  const Vec common = joined(s.width / 8, single);
   for (std::size_t i = 0; i < pieceCount(rep); ++i) c_.vmovdqa(value.piece[i], common.piece[i]);
   c_.jmp(done);
   c_.bind(differ);
-  callByTrace(byTrace_.emplace_back(StepByTrace{s, reached}), rep);
+  callByTrace(s, rep, reached);
   for (std::size_t i = 0; i < pieceCount(rep); ++i) c_.vmovdqa(value.piece[i], at(layout_.scratch(2) + rowBytes * i));
   c_.bind(done);
   return value;
@@ -195,8 +156,8 @@ void LaneEmitter::storeAt(const Step& s) {
   }
   c_.jmp(done);
   c_.bind(differ);
-  for (std::size_t i = 0; i < pieceCount(rep); ++i) save(layout_.scratch(1) + rowBytes * i, value.piece[i]);
-  callByTrace(byTrace_.emplace_back(StepByTrace{s, reached}), rep);
+  save(layout_.scratch(1), value);
+  callByTrace(s, rep, reached);
   c_.bind(done);
 }
 

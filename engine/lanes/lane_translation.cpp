@@ -25,8 +25,8 @@ class X86LaneCode final : public LaneCode {
       : LaneCode(code, isNeeded, model, isWide) {
     asmjit::CodeHolder holder;
     if (holder.init(laneRuntime().environment()) != asmjit::kErrorOk) return;
-    const bool isDone = layout.form == Form::Wide ? WideEmitter(code, isNeeded, layout, byTrace_, holder).emit()
-                                                  : LaneEmitter(code, isNeeded, layout, byTrace_, holder).emit();
+    const Translation translation{code, isNeeded, layout, byTrace_, holder};
+    const bool isDone = layout.form == Form::Wide ? WideEmitter(translation).emit() : LaneEmitter(translation).emit();
     if (!isDone) return;
     if (laneRuntime().add(&function_, &holder) != asmjit::kErrorOk) function_ = nullptr;
   }

@@ -1,7 +1,6 @@
 // The steps that make values, as vector instructions.
-#include <bit>
-
 #include "engine/lanes/lane_emitter.hpp"
+#include "engine/lanes/vector_forms.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof::lanes {
@@ -11,24 +10,11 @@ namespace Inst = x86::Inst;
 
 namespace {
 
-/// One instruction in its forms for bytes, words, double and quad words.
-using Forms = std::array<InstId, 4>;
-constexpr Forms addition = {Inst::kIdVpaddb, Inst::kIdVpaddw, Inst::kIdVpaddd, Inst::kIdVpaddq};
-constexpr Forms subtraction = {Inst::kIdVpsubb, Inst::kIdVpsubw, Inst::kIdVpsubd, Inst::kIdVpsubq};
-constexpr Forms equality = {Inst::kIdVpcmpeqb, Inst::kIdVpcmpeqw, Inst::kIdVpcmpeqd, Inst::kIdVpcmpeqq};
-constexpr Forms greater = {Inst::kIdVpcmpgtb, Inst::kIdVpcmpgtw, Inst::kIdVpcmpgtd, Inst::kIdVpcmpgtq};
-
-InstId formOf(const Forms& forms, Rep rep) { return forms[static_cast<std::size_t>(rep) - 1]; }
-
-int bitsNeeded(const Step& s) {
-  return s.op == CodeOp::Constant ? std::max(1, static_cast<int>(std::bit_width(s.value))) : widthOf(s);
-}
-bool isNumber(Rep rep) { return rep != Rep::Truth; }
-Rep atLeastByte(Rep rep) { return isNumber(rep) ? rep : Rep::Byte; }
+constexpr VectorForms greater = {Inst::kIdVpcmpgtb, Inst::kIdVpcmpgtw, Inst::kIdVpcmpgtd, Inst::kIdVpcmpgtq};
 
 }  // namespace
 
-LaneEmitter::Vec LaneEmitter::valueOf(const Step& s) {
+Vec LaneEmitter::valueOf(const Step& s) {
   switch (s.op) {
     case CodeOp::And:
     case CodeOp::Or:
@@ -55,16 +41,13 @@ LaneEmitter::Vec LaneEmitter::valueOf(const Step& s) {
       return {Rep::Word, {all, all}};
     }
     case CodeOp::Select: return select(s);
-    case CodeOp::ShiftLeft:
-    case CodeOp::ShiftRight: return shift(s);
-    case CodeOp::Extract: return extract(s);
-    case CodeOp::Join: return join(s);
-    case CodeOp::DivideUnsigned:
-    case CodeOp::RemainderUnsigned:
-    case CodeOp::DivideSigned:
-    case CodeOp::RemainderSigned:
-    case CodeOp::RealFunction:
-    case CodeOp::RealToInt: return byTrace(s);
+    case CodeOp::Join: return joinOf(s);
+    case CodeOp::Extract: {
+      if (repFor(s.width) != Rep::Truth) return extract(s);
+      Step bit = s;
+      bit.op = CodeOp::TestBit;
+      return testBit(bit);
+    }
     case CodeOp::RealEqual:
     case CodeOp::RealLess:
     case CodeOp::RealLegal:
@@ -73,11 +56,30 @@ LaneEmitter::Vec LaneEmitter::valueOf(const Step& s) {
     case CodeOp::RealMul:
     case CodeOp::RealDiv:
     case CodeOp::RealFromInt: return real(s);
-    default: return arithmetic(s);
+    case CodeOp::BitAnd:
+    case CodeOp::BitOr:
+    case CodeOp::BitXor:
+    case CodeOp::BitNot: return bitwise(s);
+    default: {
+      const Vec number = numberOf(s);
+      return repFor(widthOf(s)) == Rep::Truth ? isOne(number) : number;
+    }
   }
 }
 
-LaneEmitter::Vec LaneEmitter::truth(const Step& s) {
+Vec LaneEmitter::numberOf(const Step& s) {
+  switch (s.op) {
+    case CodeOp::ShiftLeft:
+    case CodeOp::ShiftRight: return shift(s);
+    case CodeOp::Add:
+    case CodeOp::Sub:
+    case CodeOp::Mul:
+    case CodeOp::Signed: return cut(arithmetic(s), s.width);
+    default: return byTrace(s);
+  }
+}
+
+Vec LaneEmitter::truth(const Step& s) {
   const auto bit = [&](ValueId id) { return use(id, Rep::Truth).piece[0]; };
   switch (s.op) {
     case CodeOp::And:
@@ -92,21 +94,21 @@ LaneEmitter::Vec LaneEmitter::truth(const Step& s) {
 }
 
 /// Packing keeps signs.
-LaneEmitter::Vec LaneEmitter::signOf(const Vec& number) {
+Vec LaneEmitter::signOf(const Vec& number) {
   const Ymm sign = toTruth(number).piece[0];
   return {Rep::Truth, {op(Inst::kIdVpcmpgtb, constant(0, Rep::Truth).piece[0], sign)}};
 }
 
-LaneEmitter::Vec LaneEmitter::testBit(const Step& s) {
+Vec LaneEmitter::testBit(const Step& s) {
   const Vec a = made(s.a);
-  if (!isNumber(a.rep)) return s.value == 0 ? a : constant(0, Rep::Truth);
+  if (a.rep == Rep::Truth) return s.value == 0 ? a : constant(0, Rep::Truth);
   if (static_cast<int>(s.value) >= bitsOf(a.rep)) return constant(0, Rep::Truth);
   if (a.rep != Rep::Quad && static_cast<int>(s.value) == bitsOf(a.rep) - 1) return signOf(a);
   const Mem own = constantRow(1ULL << s.value, a.rep);
-  return toTruth(each(formOf(equality, a.rep), each(Inst::kIdVpand, a, own), own));
+  return toTruth(each(formOf(forms::equality, a.rep), each(Inst::kIdVpand, a, own), own));
 }
 
-LaneEmitter::Vec LaneEmitter::lessOf(const Step& s, Rep rep) {
+Vec LaneEmitter::lessOf(const Step& s, Rep rep) {
   const auto isBelow = [&](const Vec& a, const Vec& b) { return toTruth(each(formOf(greater, rep), b, a)); };
   const Vec a = use(s.a, rep), b = use(s.b, rep);
   const std::uint64_t topBit = 1ULL << (bitsOf(rep) - 1);
@@ -122,22 +124,22 @@ LaneEmitter::Vec LaneEmitter::lessOf(const Step& s, Rep rep) {
   return isBelow(each(Inst::kIdVpxor, a, sign), each(Inst::kIdVpxor, b, sign));
 }
 
-LaneEmitter::Vec LaneEmitter::comparison(const Step& s) {
+Vec LaneEmitter::comparison(const Step& s) {
   const int bits = std::max(bitsNeeded(code_.steps[s.a]), bitsNeeded(code_.steps[s.b]));
   if (s.op == CodeOp::Equal) {
-    const Rep rep = atLeastByte(repFor(bits));
-    return toTruth(each(formOf(equality, rep), use(s.a, rep), use(s.b, rep)));
+    const Rep rep = numberFor(bits);
+    return toTruth(each(formOf(forms::equality, rep), use(s.a, rep), use(s.b, rep)));
   }
-  return lessOf(s, atLeastByte(repFor(std::max(bits, int{s.width}))));
+  return lessOf(s, numberFor(std::max(bits, int{s.width})));
 }
 
 /// A sum of words that is not the one that stops at the ends overflows. Of double words it is one whose sign is none of
 /// those of its parts, a difference where both parts differ in sign and it has not that of the first.
-LaneEmitter::Vec LaneEmitter::overflow(const Step& s) {
+Vec LaneEmitter::overflow(const Step& s) {
   const bool isSum = s.op == CodeOp::AddOverflows;
   const Rep rep = repFor(s.width);
   const Vec a = use(s.a, rep), b = use(s.b, rep);
-  const Vec result = each(formOf(isSum ? addition : subtraction, rep), a, b);
+  const Vec result = each(formOf(isSum ? forms::addition : forms::subtraction, rep), a, b);
   if (rep == Rep::Word) {
     const Vec bounded = each(isSum ? Inst::kIdVpaddsw : Inst::kIdVpsubsw, a, b);
     return {Rep::Truth, {inverted(toTruth(each(Inst::kIdVpcmpeqw, result, bounded)).piece[0])}};
@@ -146,7 +148,7 @@ LaneEmitter::Vec LaneEmitter::overflow(const Step& s) {
   return signOf(each(Inst::kIdVpand, one, other));
 }
 
-LaneEmitter::Vec LaneEmitter::select(const Step& s) {
+Vec LaneEmitter::select(const Step& s) {
   const Rep rep = repFor(s.width);
   const Vec mask = use(s.a, rep, true), on = use(s.b, rep), off = use(s.c, rep);
   Vec to{rep};
@@ -154,79 +156,32 @@ LaneEmitter::Vec LaneEmitter::select(const Step& s) {
   return to;
 }
 
-LaneEmitter::Vec LaneEmitter::arithmetic(const Step& s) {
-  const Rep own = repFor(s.width);
-  const bool isLogic =
-      s.op == CodeOp::BitAnd || s.op == CodeOp::BitOr || s.op == CodeOp::BitXor || s.op == CodeOp::BitNot;
-  const Rep rep = isLogic ? own : atLeastByte(own);
-  const auto both = [&](InstId id) { return each(id, use(s.a, rep), use(s.b, rep)); };
-  Vec result;
+Vec LaneEmitter::bitwise(const Step& s) {
+  const Rep rep = repFor(s.width);
+  if (s.op == CodeOp::BitNot)
+    return each(Inst::kIdVpxor, use(s.a, rep), constantRow(Concrete::mask(std::max(int{s.width}, 1)), rep));
+  const InstId id = s.op == CodeOp::BitAnd ? Inst::kIdVpand : s.op == CodeOp::BitOr ? Inst::kIdVpor : Inst::kIdVpxor;
+  return each(id, use(s.a, rep), use(s.b, rep));
+}
+
+Vec LaneEmitter::arithmetic(const Step& s) {
+  const Rep rep = numberFor(s.width);
+  const auto both = [&](InstId id, Rep as) { return each(id, use(s.a, as), use(s.b, as)); };
   switch (s.op) {
-    case CodeOp::Add: result = both(formOf(addition, rep)); break;
-    case CodeOp::Sub: result = both(formOf(subtraction, rep)); break;
+    case CodeOp::Add: return both(formOf(forms::addition, rep), rep);
+    case CodeOp::Sub: return both(formOf(forms::subtraction, rep), rep);
     case CodeOp::Mul:
       if (rep == Rep::Quad) return byTrace(s);
-      if (rep == Rep::Byte) {
-        result = narrowed(cut(each(Inst::kIdVpmullw, use(s.a, Rep::Word), use(s.b, Rep::Word)), 8), false);
-      } else {
-        result = both(rep == Rep::Word ? Inst::kIdVpmullw : Inst::kIdVpmulld);
-      }
-      break;
-    case CodeOp::BitAnd: return both(Inst::kIdVpand);
-    case CodeOp::BitOr: return both(Inst::kIdVpor);
-    case CodeOp::BitXor: return both(Inst::kIdVpxor);
-    case CodeOp::BitNot:
-      return each(Inst::kIdVpxor, use(s.a, rep), constantRow(Concrete::mask(std::max(int{s.width}, 1)), rep));
-    case CodeOp::Signed: {
+      if (rep == Rep::Byte) return fit(both(Inst::kIdVpmullw, Rep::Word), rep, 8);
+      return both(rep == Rep::Word ? Inst::kIdVpmullw : Inst::kIdVpmulld, rep);
+    default: {  // CodeOp::Signed
       const Mem sign = constantRow(1ULL << (s.value - 1), rep);
-      result = each(Inst::kIdVpxor, use(s.a, rep), sign);
-      result = each(formOf(subtraction, rep), result, sign);
-      break;
+      return each(formOf(forms::subtraction, rep), each(Inst::kIdVpxor, use(s.a, rep), sign), sign);
     }
-    default: CHECK(false, "no operation on words");
   }
-  result = cut(result, s.width);
-  if (own == Rep::Truth) result = toTruth(each(Inst::kIdVpcmpeqb, result, constantRow(1, Rep::Byte)));
-  return result;
 }
 
-LaneEmitter::Vec LaneEmitter::shift(const Step& s) {
-  const bool isLeft = s.op == CodeOp::ShiftLeft;
-  const Rep own = repFor(s.width);
-  const Step& count = code_.steps[s.b];
-  const bool isConstant = count.op == CodeOp::Constant;
-  if (isConstant && count.value >= s.width) return constant(0, own);
-  const Rep rep = std::max(own, isConstant ? Rep::Word : std::max(Rep::Double, repFor(widthOf(count))));
-  Vec result{rep};
-  if (isConstant) {
-    result = shifted(use(s.a, rep), isLeft, static_cast<std::uint32_t>(count.value));
-  } else {
-    const InstId id = rep == Rep::Quad ? (isLeft ? Inst::kIdVpsllvq : Inst::kIdVpsrlvq)
-                                       : (isLeft ? Inst::kIdVpsllvd : Inst::kIdVpsrlvd);
-    result = each(id, use(s.a, rep), use(s.b, rep));
-  }
-  result = cut(result, s.width);
-  if (own == Rep::Truth) return toTruth(each(formOf(equality, rep), result, constantRow(1, rep)));
-  while (result.rep > own) result = narrowed(result, false);
-  return result;
-}
-
-LaneEmitter::Vec LaneEmitter::extract(const Step& s) {
-  const Rep own = repFor(s.width), from = repFor(widthOf(code_.steps[s.a]));
-  if (own == Rep::Truth) {
-    Step bit = s;
-    bit.op = CodeOp::TestBit;
-    return testBit(bit);
-  }
-  if (static_cast<int>(s.value) >= bitsOf(std::max(from, Rep::Word))) return constant(0, own);
-  Vec value = use(s.a, std::max(from, s.value == 0 ? own : std::max(own, Rep::Word)));
-  if (s.value != 0) value = shifted(value, false, static_cast<std::uint32_t>(s.value));
-  value = cut(value, s.width);
-  while (value.rep > own) value = narrowed(value, false);
-  return value;
-}
-
-LaneEmitter::Vec LaneEmitter::join(const Step& s) {
+Vec LaneEmitter::joinOf(const Step& s) {
   const Rep own = repFor(widthOf(s));
   const Rep part = s.value == 8 ? Rep::Byte : Rep::Word;
   const bool isUnpacking = (own == Rep::Word && s.value == 8) || (own == Rep::Double && s.value == 16);
@@ -237,7 +192,7 @@ LaneEmitter::Vec LaneEmitter::join(const Step& s) {
   return both;
 }
 
-LaneEmitter::Vec LaneEmitter::real(const Step& s) {
+Vec LaneEmitter::real(const Step& s) {
   const Vec a = use(s.a, Rep::Double);
   if (s.op == CodeOp::RealLegal) {  // the exponent is not all ones
     const Mem exponent = constantRow(0x7F800000, Rep::Double);
@@ -274,24 +229,6 @@ LaneEmitter::Vec LaneEmitter::real(const Step& s) {
   for (std::size_t i = 0; i < pieceCount(Rep::Double); ++i)
     to.piece[i] = chosen(isNan.piece[i], oneNan.piece[i], result.piece[i]);
   return to;
-}
-
-LaneEmitter::Vec LaneEmitter::byTrace(const Step& s) {
-  const bool isBinary = compiled::operandCount(s.op) == 2;
-  const Step& first = code_.steps[s.a];
-  const int bits = std::max({bitsNeeded(first), isBinary ? bitsNeeded(code_.steps[s.b]) : 1, widthOf(s)});
-  const Rep rep = atLeastByte(repFor(bits)), own = repFor(widthOf(s));
-  const auto give = [&](std::size_t operand, ValueId id) {
-    const Vec given = use(id, rep);
-    for (std::size_t i = 0; i < pieceCount(rep); ++i) save(layout_.scratch(operand) + rowBytes * i, given.piece[i]);
-  };
-  give(0, s.a);
-  if (isBinary) give(1, s.b);
-  callByTrace(byTrace_.emplace_back(StepByTrace{s, {}}), rep);
-  Vec result = loaded({layout_.scratch(2), rep});
-  if (own == Rep::Truth) return toTruth(each(formOf(equality, rep), result, constantRow(1, rep)));
-  while (result.rep > own) result = narrowed(result, false);
-  return result;
 }
 
 }  // namespace rungproof::lanes

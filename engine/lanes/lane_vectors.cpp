@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "engine/lanes/lane_emitter.hpp"
+#include "engine/lanes/vector_forms.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof::lanes {
@@ -11,28 +12,15 @@ namespace Inst = x86::Inst;
 
 namespace {
 
-Rep wider(Rep rep) { return static_cast<Rep>(static_cast<int>(rep) + 1); }
-Rep narrower(Rep rep) { return static_cast<Rep>(static_cast<int>(rep) - 1); }
 std::uint64_t formKey(ValueId id, Rep rep, bool isMask) {
   return std::uint64_t{id} << 4 | static_cast<std::uint64_t>(rep) << 1 | (isMask ? 1 : 0);
 }
 
 }  // namespace
 
-x86::Ymm LaneEmitter::fresh() {
-  if (free_.empty()) {
-    free_.push_back(c_.newYmm());
-    registers_[free_.back().id()] = free_.back();
-  }
-  ofStep_.push_back(free_.back());
-  holders_[free_.back().id()] = 0;
-  free_.pop_back();
-  return ofStep_.back();
-}
-
 void LaneEmitter::hold(ValueId id, Rep rep, bool isMask, const Vec& value) {
   if (!values_.try_emplace(formKey(id, rep, isMask), value).second) return;
-  for (std::size_t i = 0; i < pieceCount(rep); ++i) ++holders_[value.piece[i].id()];
+  for (std::size_t i = 0; i < pieceCount(rep); ++i) ymms_.hold(value.piece[i]);
 }
 
 /// Behind a step: what nobody needs any more is free.
@@ -42,48 +30,46 @@ void LaneEmitter::release() {
       for (int rep = 0; rep <= static_cast<int>(Rep::Quad); ++rep) {
         const auto found = values_.find(formKey(id, static_cast<Rep>(rep), isMask));
         if (found == values_.end()) continue;
-        for (std::size_t i = 0; i < pieceCount(found->second.rep); ++i) {
-          const Ymm& reg = found->second.piece[i];
-          if (--holders_[reg.id()] == 0) ofStep_.push_back(reg);
-        }
+        for (std::size_t i = 0; i < pieceCount(found->second.rep); ++i) ymms_.drop(found->second.piece[i]);
         values_.erase(found);
       }
     }
   }
-  for (const Ymm& reg : ofStep_) {
-    if (std::exchange(holders_[reg.id()], holders_[reg.id()] == 0 ? isFree : holders_[reg.id()]) == 0)
-      free_.push_back(reg);
-  }
-  ofStep_.clear();
+  ymms_.endStep();
 }
 
-x86::Mem LaneEmitter::at(std::size_t offset, std::uint32_t bytes) {
-  return x86::ptr(rows_, static_cast<std::int32_t>(offset), bytes);
+void LaneEmitter::forgetAll() {
+  values_.clear();
+  ymms_.clear();
 }
+
 x86::Ymm LaneEmitter::load(std::size_t offset) {
   const Ymm reg = fresh();
   c_.vmovdqa(reg, at(offset));
   return reg;
 }
 void LaneEmitter::save(std::size_t offset, const Ymm& value) { c_.vmovdqa(at(offset), value); }
+void LaneEmitter::save(std::size_t offset, const Vec& value) {
+  for (std::size_t i = 0; i < pieceCount(value.rep); ++i) save(offset + rowBytes * i, value.piece[i]);
+}
 
 x86::Ymm LaneEmitter::op(InstId id, const asmjit::Operand& a, const asmjit::Operand& b) {
   const Ymm to = fresh();
   c_.emit(id, to, a, b);
   return to;
 }
-LaneEmitter::Vec LaneEmitter::each(InstId id, const Vec& a, const Vec& b) {
+Vec LaneEmitter::each(InstId id, const Vec& a, const Vec& b) {
   Vec to{a.rep};
   for (std::size_t i = 0; i < pieceCount(a.rep); ++i) to.piece[i] = op(id, a.piece[i], b.piece[i]);
   return to;
 }
-LaneEmitter::Vec LaneEmitter::each(InstId id, const Vec& a, const Mem& b) {
+Vec LaneEmitter::each(InstId id, const Vec& a, const Mem& b) {
   Vec to{a.rep};
   for (std::size_t i = 0; i < pieceCount(a.rep); ++i) to.piece[i] = op(id, a.piece[i], b);
   return to;
 }
 
-LaneEmitter::Vec LaneEmitter::loaded(Row row) {
+Vec LaneEmitter::loaded(Row row) {
   Vec value{row.rep};
   for (std::size_t i = 0; i < pieceCount(row.rep); ++i) value.piece[i] = load(row.at + rowBytes * i);
   return value;
@@ -97,7 +83,7 @@ x86::Mem LaneEmitter::constantRow(std::uint64_t value, Rep rep) {
   for (std::size_t i = 0; i < rowBytes; i += bytes) std::memcpy(row.data() + i, &value, bytes);
   return c_.newConst(ConstPoolScope::kGlobal, row.data(), rowBytes);
 }
-LaneEmitter::Vec LaneEmitter::constant(std::uint64_t value, Rep rep) {
+Vec LaneEmitter::constant(std::uint64_t value, Rep rep) {
   const Ymm reg = fresh();
   if (value == 0)
     c_.vpxor(reg, reg, reg);
@@ -108,7 +94,7 @@ LaneEmitter::Vec LaneEmitter::constant(std::uint64_t value, Rep rep) {
   return all;
 }
 
-LaneEmitter::Vec LaneEmitter::widened(const Vec& value, bool isMask) {
+Vec LaneEmitter::widened(const Vec& value, bool isMask) {
   static constexpr std::array<std::array<InstId, 2>, 3> unpack = {{{Inst::kIdVpunpcklbw, Inst::kIdVpunpckhbw},
                                                                    {Inst::kIdVpunpcklwd, Inst::kIdVpunpckhwd},
                                                                    {Inst::kIdVpunpckldq, Inst::kIdVpunpckhdq}}};
@@ -124,7 +110,7 @@ LaneEmitter::Vec LaneEmitter::widened(const Vec& value, bool isMask) {
 }
 
 /// Numbers must have room in the narrower form; of 64 bits the low half is taken.
-LaneEmitter::Vec LaneEmitter::narrowed(const Vec& value, bool isMask) {
+Vec LaneEmitter::narrowed(const Vec& value, bool isMask) {
   Vec to{narrower(value.rep)};
   for (std::size_t i = 0; i < pieceCount(to.rep); ++i) {
     const Ymm &first = value.piece[2 * i], &second = value.piece[2 * i + 1];
@@ -139,25 +125,33 @@ LaneEmitter::Vec LaneEmitter::narrowed(const Vec& value, bool isMask) {
   }
   return to;
 }
-LaneEmitter::Vec LaneEmitter::toTruth(Vec mask) {
+Vec LaneEmitter::toTruth(Vec mask) {
   while (mask.rep > Rep::Byte) mask = narrowed(mask, true);
   mask.rep = Rep::Truth;
   return mask;
 }
 
-LaneEmitter::Vec LaneEmitter::cut(const Vec& value, int width) {
+Vec LaneEmitter::isOne(const Vec& number) {
+  return toTruth(each(formOf(forms::equality, number.rep), number, constantRow(1, number.rep)));
+}
+
+Vec LaneEmitter::cut(const Vec& value, int width) {
   return width >= bitsOf(value.rep) ? value
                                     : each(Inst::kIdVpand, value, constantRow(Concrete::mask(width), value.rep));
 }
 
-LaneEmitter::Vec LaneEmitter::shifted(const Vec& value, bool isLeft, std::uint32_t count) {
-  static constexpr std::array<std::array<InstId, 2>, 3> shifts = {
-      {{Inst::kIdVpsrlw, Inst::kIdVpsllw}, {Inst::kIdVpsrld, Inst::kIdVpslld}, {Inst::kIdVpsrlq, Inst::kIdVpsllq}}};
+Vec LaneEmitter::fit(Vec value, Rep rep, int width) {
+  value = cut(value, width);
+  while (value.rep > rep) value = narrowed(value, false);
+  return value;
+}
+
+Vec LaneEmitter::shifted(const Vec& value, bool isLeft, std::uint32_t count) {
   CHECK(value.rep >= Rep::Word, "bytes are shifted as words");
   Vec to{value.rep};
   for (std::size_t i = 0; i < pieceCount(value.rep); ++i) {
     to.piece[i] = fresh();
-    c_.emit(shifts[static_cast<std::size_t>(value.rep) - 2][isLeft ? 1 : 0], to.piece[i], value.piece[i], imm(count));
+    c_.emit(formOf(isLeft ? forms::shiftLeft : forms::shiftRight, value.rep), to.piece[i], value.piece[i], imm(count));
   }
   return to;
 }
@@ -173,7 +167,7 @@ x86::Ymm LaneEmitter::chosen(const Ymm& mask, const Ymm& ifOn, const Ymm& ifOff)
 }
 
 /// As it was made, or as an earlier block kept it.
-LaneEmitter::Vec LaneEmitter::made(ValueId id) {
+Vec LaneEmitter::made(ValueId id) {
   const Step& s = code_.steps[id];
   if (s.op == CodeOp::Constant) return constant(s.value, repFor(std::max<int>(s.width, 1)));
   const Rep rep = repFor(widthOf(s));
@@ -191,7 +185,7 @@ LaneEmitter::Vec LaneEmitter::made(ValueId id) {
   return value;
 }
 
-LaneEmitter::Vec LaneEmitter::use(ValueId id, Rep rep, bool isMask) {
+Vec LaneEmitter::use(ValueId id, Rep rep, bool isMask) {
   const Step& s = code_.steps[id];
   if (s.op == CodeOp::Constant) return constant(rep == Rep::Truth ? s.value & 1 : s.value, rep);
   const Rep own = repFor(widthOf(s));
@@ -209,13 +203,9 @@ LaneEmitter::Vec LaneEmitter::use(ValueId id, Rep rep, bool isMask) {
     }
   } else if (rep == Rep::Truth) {
     value = made(id);
-    value = toTruth(each(value.rep == Rep::Byte     ? Inst::kIdVpcmpeqb
-                         : value.rep == Rep::Word   ? Inst::kIdVpcmpeqw
-                         : value.rep == Rep::Double ? Inst::kIdVpcmpeqd
-                                                    : Inst::kIdVpcmpeqq,
-                         each(Inst::kIdVpand, value, constantRow(1, value.rep)), constantRow(1, value.rep)));
+    value = isOne(each(Inst::kIdVpand, value, constantRow(1, value.rep)));
   } else {
-    value = narrowed(cut(use(id, wider(rep), false), bitsOf(rep)), false);
+    value = fit(use(id, wider(rep)), rep, bitsOf(rep));
   }
   hold(id, rep, isMask, value);
   return value;

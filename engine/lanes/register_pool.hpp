@@ -33,16 +33,18 @@ class RegisterPool {
   void endStep() {
     for (const Register& reg : ofStep_) {
       int& holders = holders_[reg.id()];
-      if (holders == 0) free_.push_back(reg);
-      if (holders == 0) holders = isFree;
+      if (holders != 0) continue;
+      free_.push_back(reg);
+      holders = isFree;
     }
     ofStep_.clear();
   }
   /// Nothing is held any more.
   void clear() {
     for (auto& [id, holders] : holders_) {
-      if (holders > 0) free_.push_back(all_.at(id));
-      if (holders > 0) holders = isFree;
+      if (holders <= 0) continue;
+      free_.push_back(all_.at(id));
+      holders = isFree;
     }
   }
 

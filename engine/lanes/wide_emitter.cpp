@@ -1,74 +1,16 @@
 // Blocks, branches, and what ends a trace's stay in the code.
 #include "engine/lanes/wide_emitter.hpp"
 
-#include "ir/check.hpp"
-
 namespace rungproof::lanes {
 
 using namespace asmjit;  // its Operand: by its full name
 namespace Inst = x86::Inst;
 
-namespace {
-
-/// Mask registers that hold something from step to step.
-constexpr std::size_t mostMasks = 4;
-
-}  // namespace
-
-WideEmitter::WideEmitter(const Code& code, const std::vector<bool>& isNeeded, LaneLayout& layout,
-                         std::deque<StepByTrace>& byTrace, CodeHolder& holder)
-    : code_(code),
-      isNeeded_(isNeeded),
-      layout_(layout),
-      byTrace_(byTrace),
-      c_(&holder),
-      flow_(code, isNeeded, true),
-      labels_(flow_.lastBlock + 2) {
-  layout_.keepRows(flow_.keptRows);
-}
-
-bool WideEmitter::emit() {
-  struct FirstError final : ErrorHandler {
-    void handleError(Error, const char*, BaseEmitter*) override { isThere = true; }
-    bool isThere = false;
-  } error;
-  c_.setErrorHandler(&error);
-  FuncNode* const function = c_.addFunc(FuncSignatureT<void, std::uint8_t*>());
-  function->frame().setAvxEnabled();
-  function->frame().setAvx512Enabled();
-  function->frame().setAvxCleanup();
-  rows_ = c_.newGpq();
-  function->setArg(0, rows_);
-  for (Label& label : labels_) label = c_.newLabel();
+void WideEmitter::begin() {
   c_.mov(at(layout_.left(), wideTruthBytes), 0);
-  if (!code_.isStraight) {
-    active_ = c_.newGpq();
-    c_.mov(active_, at(layout_.active(), wideTruthBytes));
-    position_ = c_.newGpq();
-    c_.xor_(position_.r32(), position_.r32());
-  }
-  for (step_ = 0; step_ < code_.steps.size(); ++step_) {
-    if (!isNeeded_[step_]) continue;
-    const Step& s = code_.steps[step_];
-    if (hasValue(s.op)) {
-      if (!flow_.isFolded[step_]) value(step_);
-    } else if (s.op < CodeOp::Leave) {
-      store(s);
-    } else {
-      control(s);
-    }
-    release();
-    thinMasks(mostMasks);
-  }
-  step_ = static_cast<ValueId>(code_.steps.size() - 1);
-  if (code_.countsTime && !code_.isStraight) checkTime();
-  c_.bind(labels_.back());
-  spreadRegisters();
-  c_.ret();
-  c_.endFunc();
-  const bool isFinal = c_.finalize() == kErrorOk;
-  c_.setErrorHandler(nullptr);
-  return isFinal && !error.isThere;
+  if (code_.isStraight) return;
+  active_ = c_.newGpq();
+  c_.mov(active_, at(layout_.active(), wideTruthBytes));
 }
 
 /// Where a register stands as one number while the code runs.
@@ -85,32 +27,9 @@ void WideEmitter::spreadRegisters() {
     const auto place = oneNumber(reg);
     if (!place) continue;
     const Row row = *layout_.reg(reg);
-    const Number all = broadcast(loadScalar(*place, Rep::Quad), row.rep);
-    for (std::size_t i = 0; i < pieceCount(row.rep); ++i)
-      c_.vmovdqa64(at(row.at + wideBytes * i), all.piece[i].as<Zmm>());
+    save(row.at, broadcast(loadScalar(*place, Rep::Quad), row.rep));
     gps_.endStep();
     zmms_.endStep();
-  }
-}
-
-void WideEmitter::control(const Step& s) {
-  switch (s.op) {
-    case CodeOp::Leave: return leave(s);
-    case CodeOp::Count: return count(s);
-    case CodeOp::Mark: {
-      const bool joins = flow_.joins.contains(s.value);
-      return beginBlock(flow_.blockOf[step_], joins ? std::optional(layout_.pending(s.value)) : std::nullopt);
-    }
-    case CodeOp::Branch:
-    case CodeOp::BranchIf:
-    case CodeOp::BranchUnless:
-      if (flow_.isCommon[step_]) return jump(s);
-      return flow_.goOnBehind.contains(step_) ? branchBack(s) : branchForward(s);
-    case CodeOp::AddTime:
-      if (!code_.isStraight) c_.add(position_, imm(s.value));
-      return;
-    case CodeOp::CheckTime: return checkTime();
-    default: CHECK(false, "time that depends on the power flow is taken for its most");
   }
 }
 
@@ -138,15 +57,10 @@ void WideEmitter::leave(const Gp& who) {
   if (!flow_.isMaskedAt[step_]) c_.jz(labels_.back());
 }
 
-/// The longest of all traces counts for each.
-void WideEmitter::checkTime() {
-  const Label isShort = c_.newLabel();
-  c_.cmp(position_, at(offsetof(LaneLayout::Head, mostTime), 8));
-  c_.jbe(isShort);
+void WideEmitter::leaveAll() {
   c_.or_(at(layout_.left(), wideTruthBytes), active_);
   c_.xor_(active_.r32(), active_.r32());
   if (!flow_.isMaskedAt[step_]) c_.jmp(labels_.back());
-  c_.bind(isShort);
 }
 
 /// Those of the traces that run that take a branch.
@@ -159,6 +73,11 @@ x86::Gp WideEmitter::takers(const Step& s) {
   c_.mov(who, active_);
   if (s.op == CodeOp::BranchIf) c_.emit(Inst::kIdAnd, who, truthSource(s.a));
   return who;
+}
+
+void WideEmitter::branch(const Step& s) {
+  if (flow_.isCommon[step_]) return jump(s);
+  return flow_.goOnBehind.contains(step_) ? branchBack(s) : branchForward(s);
 }
 
 /// All traces go the same way.
@@ -178,12 +97,16 @@ void WideEmitter::jump(const Step& s) {
 }
 
 /// The next block takes over where nobody runs any more.
+void WideEmitter::skipIfNobody(std::uint32_t block) {
+  c_.test(active_, active_);
+  c_.jz(labels_[block + 1]);
+}
+
 void WideEmitter::branchForward(const Step& s) {
   const Gp who = takers(s);
   c_.or_(at(layout_.pending(s.value), wideTruthBytes), who);
   c_.andn(active_, who, active_);
-  c_.test(active_, active_);
-  c_.jz(labels_[flow_.blockOf[step_] + 1]);
+  skipIfNobody(flow_.blockOf[step_]);
 }
 
 /// Those that go on wait for the last one that goes back.
@@ -201,17 +124,10 @@ void WideEmitter::branchBack(const Step& s) {
   beginBlock(flow_.blockOf[step_] + 1, behind);
 }
 
-void WideEmitter::beginBlock(std::uint32_t block, std::optional<std::size_t> waiting) {
-  forgetAll();
-  c_.bind(labels_[block]);
-  if (waiting) {
-    c_.or_(active_, at(*waiting, wideTruthBytes));
-    c_.mov(at(*waiting, wideTruthBytes), 0);
-  }
-  const ValueId next = step_ + (code_.steps[step_].op == CodeOp::Mark ? 0 : 1);
-  if (!flow_.isMaskedAt[std::min<std::size_t>(next, flow_.isMaskedAt.size() - 1)]) return;
-  c_.test(active_, active_);
-  c_.jz(labels_[block + 1]);
+/// Those that wait there run again.
+void WideEmitter::join(std::size_t waiting) {
+  c_.or_(active_, at(waiting, wideTruthBytes));
+  c_.mov(at(waiting, wideTruthBytes), 0);
 }
 
 /// A value of a loop is kept for those only that run: others may still need theirs of an earlier round.
@@ -228,8 +144,7 @@ void WideEmitter::keep(ValueId id) {
   } else {
     const Number value = made(id);
     if (isMasked) return storeNumber(offset, value);
-    for (std::size_t i = 0; i < pieceCount(value.rep); ++i)
-      c_.vmovdqa64(at(offset + wideBytes * i), inRegister(value.piece[i]));
+    save(offset, value);
   }
 }
 

@@ -4,69 +4,64 @@
 // are followed as LaneEmitter does, by masks of those that run; but one on a common value is a jump.
 #pragma once
 
-#include <asmjit/x86.h>
-
-#include <deque>
 #include <map>
-#include <optional>
+#include <unordered_map>
 
-#include "engine/lanes/lane_code.hpp"
-#include "engine/lanes/lane_flow.hpp"
 #include "engine/lanes/register_pool.hpp"
+#include "engine/lanes/step_emitter.hpp"
 
 namespace rungproof::lanes {
 
-class WideEmitter {
+/// Numbers of all traces: registers, or places in memory.
+struct WideNumber {
+  Rep rep = Rep::Byte;
+  std::array<asmjit::Operand, mostPieces> piece{};
+};
+
+class WideEmitter : public StepEmitter<WideEmitter, WideNumber> {
  public:
-  WideEmitter(const Code& code, const std::vector<bool>& isNeeded, LaneLayout& layout, std::deque<StepByTrace>& byTrace,
-              asmjit::CodeHolder& holder);
-  /// False: the library could not do it.
-  bool emit();
+  explicit WideEmitter(const Translation& translation) : StepEmitter(translation, true) {}
 
  private:
-  using Gp = asmjit::x86::Gp;
+  friend StepEmitter;
   using Zmm = asmjit::x86::Zmm;
   using Mask = asmjit::x86::KReg;
-  using Mem = asmjit::x86::Mem;
-  using InstId = asmjit::InstId;
-  /// Numbers of all traces: registers, or places in memory.
-  struct Number {
-    Rep rep = Rep::Byte;
-    std::array<asmjit::Operand, mostPieces> piece{};
-  };
+  using Number = WideNumber;
   using Masks = std::array<Mask, mostPieces>;
 
   // wide_emitter.cpp
+  void begin();
+  void end() { spreadRegisters(); }
   void spreadRegisters();
   std::optional<std::size_t> oneNumber(std::uint64_t reg) const;
-  void control(const Step& s);
+  void branch(const Step& s);
   void branchForward(const Step& s);
   void branchBack(const Step& s);
   void jump(const Step& s);
   Gp takers(const Step& s);
-  void beginBlock(std::uint32_t block, std::optional<std::size_t> waiting);
+  void join(std::size_t waiting);
+  void skipIfNobody(std::uint32_t block);
   void count(const Step& s);
   void leave(const Step& s);
   void leave(const Gp& who);
-  void checkTime();
+  void leaveAll();
   void keep(ValueId id);
 
   // wide_values.cpp
   void value(ValueId id);
+  Number numberOf(const Step& s);
+  Number arithmetic(const Step& s);
+  Number select(const Step& s);
+  Number joinOf(const Step& s);
+  Number real(const Step& s);
+
+  // wide_truths.cpp
   Gp truthOf(const Step& s);
   Gp testBit(const Step& s);
   Gp comparison(const Step& s);
   Gp overflow(const Step& s);
   Gp overflowByConstant(const Step& s, const Number& a, std::uint64_t constant);
-  Number numberOf(const Step& s);
-  Number arithmetic(const Step& s);
-  Number select(const Step& s);
-  Number shift(const Step& s);
-  Number extract(const Step& s);
-  Number join(const Step& s);
-  Number real(const Step& s);
   Gp realTruth(const Step& s);
-  Number byTrace(const Step& s);
 
   // wide_scalars.cpp
   bool isScalar(ValueId id) const;
@@ -80,7 +75,6 @@ class WideEmitter {
   Number broadcast(const Gp& value, Rep rep);
 
   // wide_memory.cpp
-  Number loadMemory(const Step& s);
   Number loadSlots(const Step& s);
   Number together(const Number& high, const Number& low);
   void storeByteOf(const Number& value, std::uint32_t k, const Mem& to, const Mask* mask);
@@ -91,37 +85,19 @@ class WideEmitter {
   void storePiece(const Mem& to, const Zmm& value, Rep rep, const Mask* mask);
   void storeMemory(const Step& s);
   void storeSlots(const Step& s);
-  void beforeCall();
-  void callByTrace(const StepByTrace& by, Rep rep);
+  void saveActive();
+  /// Mask registers do not outlast a call: what stands in them only is brought to general ones.
+  void beforeCall() { thinMasks(0); }
   Gp commonPlace(const Step& s, const asmjit::Label& differ);
   Number loadAt(const Step& s);
   void storeAt(const Step& s);
   void leaveWhereGuarded(const Step& s);
   Mem placeAt(const Gp& place, Area area, std::uint32_t byte);
 
-  // wide_vectors.cpp
+  // wide_held.cpp
   Gp freshGp();
   Zmm freshZmm();
   Mask freshMask();
-  /// A truth value, or the lowest bit of a number; in a register, or where it stands in memory.
-  Gp truth(ValueId id);
-  asmjit::Operand truthSource(ValueId id);
-  Gp writable(ValueId id);
-  Number number(ValueId id, Rep rep);
-  Number made(ValueId id);
-  Masks masksOf(ValueId id, Rep rep);
-  Masks masksFrom(const asmjit::Operand& truth, Rep rep);
-  Gp truthFrom(const Masks& masks, Rep rep);
-  Zmm inRegister(const asmjit::Operand& piece);
-  Number each(InstId id, const Number& a, const Number& b);
-  Masks compared(InstId id, const Number& a, const Number& b, std::uint32_t how);
-  Number constant(std::uint64_t value, Rep rep);
-  Number loaded(Row row);
-  Number widened(const Number& value);
-  Number narrowed(const Number& value);
-  Number cut(const Number& value, int width);
-  Number shifted(const Number& value, bool isLeft, std::uint32_t count);
-  Mem at(std::size_t offset, std::uint32_t bytes = wideBytes);
   void holdTruth(ValueId id, const Gp& value);
   void holdScalar(ValueId id, const Gp& value);
   void holdNumber(ValueId id, const Number& value);
@@ -133,15 +109,42 @@ class WideEmitter {
   /// Values that are read from a place in memory each time are loaded before it is written.
   void beforeStore(std::size_t first, std::size_t count);
 
-  const Code& code_;
-  const std::vector<bool>& isNeeded_;
-  LaneLayout& layout_;
-  std::deque<StepByTrace>& byTrace_;
-  asmjit::x86::Compiler c_;
-  const LaneFlow flow_;
-  Gp rows_;
-  Gp position_;  ///< time that this scan has taken at most, 10 ns
-  Gp active_;    ///< traces that run; not of straight code
+  // wide_vectors.cpp
+  /// A truth value, or the lowest bit of a number; in a register, or where it stands in memory.
+  Gp truth(ValueId id);
+  asmjit::Operand truthSource(ValueId id);
+  Gp writable(ValueId id);
+  /// As a number of that form.
+  Number use(ValueId id, Rep rep);
+  Number made(ValueId id);
+  Masks masksOf(ValueId id, Rep rep);
+  Masks masksFrom(const asmjit::Operand& truth, Rep rep);
+  Gp truthFrom(const Masks& masks, Rep rep);
+  Zmm inRegister(const asmjit::Operand& piece);
+  void save(std::size_t offset, const Number& value);
+  Number each(InstId id, const Number& a, const Number& b);
+  Masks compared(InstId id, const Number& a, const Number& b, std::uint32_t how);
+  Masks tested(const Number& a, const Number& bits);
+  Number constant(std::uint64_t value, Rep rep);
+  /// Read from its place each time.
+  Number loaded(Row row);
+  /// Read at once, in registers.
+  Number copyOf(Row row);
+  Number widened(const Number& value);
+  Number narrowed(const Number& value);
+  Number cut(const Number& value, int width);
+  /// The lowest bits in the form `rep`.
+  Number fit(Number value, Rep rep, int width);
+  Number shifted(const Number& value, bool isLeft, std::uint32_t count);
+  Mem at(std::size_t offset, std::uint32_t bytes = wideBytes) { return StepEmitter::at(offset, bytes); }
+
+  static std::uint64_t keyOf(ValueId id, Rep rep) { return std::uint64_t{id} << 3 | static_cast<std::uint64_t>(rep); }
+
+  static std::uint64_t sumOf(CodeOp op, ValueId a, ValueId b) {
+    return std::uint64_t{a} << 33 | std::uint64_t{b} << 1 | (op == CodeOp::Add ? 1 : 0);
+  }
+
+  Gp active_;  ///< traces that run; not of straight code
 
   RegisterPool<Gp> gps_;
   RegisterPool<Zmm> zmms_;
@@ -153,8 +156,6 @@ class WideEmitter {
   std::unordered_map<ValueId, std::size_t> slotOf_;    ///< truth values that stand in memory
   std::multimap<std::size_t, ValueId> readAt_;         ///< values by the place where they stand
   std::unordered_map<std::uint64_t, ValueId> sums_;    ///< by operands: Add or Sub of this block
-  std::vector<asmjit::Label> labels_;                  ///< by block, and one behind the last
-  ValueId step_ = 0;                                   ///< that is being emitted
 };
 
 }  // namespace rungproof::lanes

@@ -1,23 +1,16 @@
 // State in rows: what is read and written under the mask of the traces that run, and places found by computed
 // addresses. Where all traces have the same address, which they mostly do, it is one row behind the other.
+#include "engine/lanes/vector_forms.hpp"
 #include "engine/lanes/wide_emitter.hpp"
-#include "ir/check.hpp"
 
 namespace rungproof::lanes {
 
 using namespace asmjit;  // its Operand: by its full name
 namespace Inst = x86::Inst;
 
-namespace {
-
-constexpr std::array<InstId, 4> wideStores = {Inst::kIdVmovdqu8, Inst::kIdVmovdqu16, Inst::kIdVmovdqa32,
-                                              Inst::kIdVmovdqa64};
-
-}  // namespace
-
 void WideEmitter::storePiece(const Mem& to, const Zmm& value, Rep rep, const Mask* mask) {
   if (mask != nullptr) c_.k(*mask);
-  c_.emit(mask == nullptr ? InstId{Inst::kIdVmovdqa64} : wideStores[static_cast<std::size_t>(rep) - 1], to, value);
+  c_.emit(mask == nullptr ? InstId{Inst::kIdVmovdqa64} : formOf(forms::maskedMove, rep), to, value);
 }
 
 /// Under the mask: traces that wait elsewhere keep what they have.
@@ -43,11 +36,10 @@ void WideEmitter::storeRow(Row row, ValueId id) {
     c_.mov(at(row.at, wideTruthBytes), truth(id));
     return;
   }
-  const Number value = number(id, row.rep);
+  const Number value = use(id, row.rep);
   beforeStore(row.at, wideBytes * pieceCount(row.rep));
   if (isMasked) return storeNumber(row.at, value);
-  for (std::size_t i = 0; i < pieceCount(row.rep); ++i)
-    storePiece(at(row.at + wideBytes * i), inRegister(value.piece[i]), row.rep, nullptr);
+  save(row.at, value);
 }
 
 void WideEmitter::store(const Step& s) {
@@ -67,7 +59,7 @@ void WideEmitter::store(const Step& s) {
 }
 
 /// Two numbers as one of twice the width.
-WideEmitter::Number WideEmitter::together(const Number& high, const Number& low) {
+WideNumber WideEmitter::together(const Number& high, const Number& low) {
   const Number wideLow = widened(low);
   return each(Inst::kIdVporq, shifted(widened(high), true, static_cast<std::uint32_t>(bitsOf(low.rep))), wideLow);
 }
@@ -84,52 +76,32 @@ void WideEmitter::storeByteOf(const Number& value, std::uint32_t k, const Mem& t
   }
 }
 
-WideEmitter::Number WideEmitter::loadMemory(const Step& s) {
-  const auto byte = static_cast<std::uint32_t>(s.value);
-  const int bytes = s.width / 8;
-  if (const auto row = layout_.cell(s.area, byte, bytes)) return loaded(*row);
-  const auto single = [&](std::uint32_t k) {
-    const auto row = layout_.cell(s.area, byte + k, 1);
-    CHECK(row.has_value(), "a byte without a row");
-    return loaded(*row);
-  };
-  CHECK(bytes == 2 || bytes == 4, "a width that no instruction has");
-  const Number first = together(single(0), single(1));
-  return bytes == 2 ? first : together(first, together(single(2), single(3)));
-}
-
 void WideEmitter::storeMemory(const Step& s) {
-  const auto byte = static_cast<std::uint32_t>(s.value);
-  const int bytes = s.width / 8;
+  const std::uint32_t bytes = s.width / 8U;
   if (isClearing(s, code_)) {
-    for (int k = 0; k < bytes; ++k) {
-      for (const int size : {1, 2, 4}) {
-        const auto row = layout_.cell(s.area, byte + static_cast<std::uint32_t>(k), size);
-        if (row) storeRow(*row, s.a);
-      }
-    }
+    for (const Row& row : layout_.rowsWithin(s.area, static_cast<std::uint32_t>(s.value), bytes)) storeRow(row, s.a);
     return;
   }
-  if (const auto row = layout_.cell(s.area, byte, bytes)) return storeRow(*row, s.a);
-  const Number value = isScalar(s.a) ? Number{} : number(s.a, repFor(s.width));
-  for (int k = 0; k < bytes; ++k) {
-    const auto row = layout_.cell(s.area, byte + static_cast<std::uint32_t>(k), 1);
-    CHECK(row.has_value(), "a byte without a row");
-    const auto number = static_cast<std::uint32_t>(bytes - 1 - k);
-    beforeStore(row->at, wideBytes);
+  if (const auto row = layout_.cell(s.area, static_cast<std::uint32_t>(s.value), static_cast<int>(bytes)))
+    return storeRow(*row, s.a);
+  const Number value = isScalar(s.a) ? Number{} : use(s.a, repFor(s.width));
+  for (std::uint32_t k = 0; k < bytes; ++k) {
+    const std::size_t to = byteRow(s, k).at;
+    const std::uint32_t number = bytes - 1 - k;
+    beforeStore(to, wideBytes);
     const Masks masks = flow_.isMaskedAt[step_] ? masksFrom(active_, Rep::Byte) : Masks{};
     const Mask* const mask = flow_.isMaskedAt[step_] ? &masks[0] : nullptr;
     if (isScalar(s.a)) {
       const Gp part = copied(scalar(s.a));
       if (number > 0) c_.shr(part, imm(8 * number));
-      storePiece(at(row->at), broadcast(part, Rep::Byte).piece[0].as<Zmm>(), Rep::Byte, mask);
+      storePiece(at(to), broadcast(part, Rep::Byte).piece[0].as<Zmm>(), Rep::Byte, mask);
     } else {
-      storeByteOf(value, number, at(row->at), mask);
+      storeByteOf(value, number, at(to), mask);
     }
   }
 }
 
-WideEmitter::Number WideEmitter::loadSlots(const Step& s) {
+WideNumber WideEmitter::loadSlots(const Step& s) {
   const Zmm byte = freshZmm();
   for (std::uint64_t bit = 0; bit < 8; ++bit) {
     const Mask on = freshMask();
@@ -154,7 +126,7 @@ void WideEmitter::storeSlots(const Step& s) {
       on = truth((given.value >> bit & 1) != 0 ? 1 : 0);
     } else {
       const Mask own = freshMask();
-      c_.emit(Inst::kIdVptestmb, own, inRegister(number(s.a, Rep::Byte).piece[0]),
+      c_.emit(Inst::kIdVptestmb, own, inRegister(use(s.a, Rep::Byte).piece[0]),
               constant(1ULL << bit, Rep::Byte).piece[0]);
       on = freshGp();
       c_.kmovq(on, own);
@@ -167,19 +139,7 @@ void WideEmitter::storeSlots(const Step& s) {
   }
 }
 
-/// Mask registers do not outlast a call: what stands in them only is brought to general ones.
-void WideEmitter::beforeCall() { thinMasks(0); }
-
-void WideEmitter::callByTrace(const StepByTrace& by, Rep rep) {
-  if (!code_.isStraight) c_.mov(at(layout_.active(), wideTruthBytes), active_);
-  InvokeNode* call = nullptr;
-  c_.invoke(&call, imm(reinterpret_cast<std::uintptr_t>(&doByTrace)),
-            FuncSignatureT<void, const void*, const void*, void*, std::uint64_t>());
-  call->setArg(0, imm(reinterpret_cast<std::uintptr_t>(&by)));
-  call->setArg(1, imm(reinterpret_cast<std::uintptr_t>(&layout_)));
-  call->setArg(2, rows_);
-  call->setArg(3, imm(static_cast<std::uint64_t>(rep)));
-}
+void WideEmitter::saveActive() { c_.mov(at(layout_.active(), wideTruthBytes), active_); }
 
 /// Where all traces that run have the same address, gives where its first row stands from rows_ on, and goes on behind
 /// this; else at `differ`. The addresses then stand in the first scratch row.
@@ -191,17 +151,15 @@ x86::Gp WideEmitter::commonPlace(const Step& s, const Label& differ) {
     c_.mov(place, scalar(s.a));
   } else {
     beforeCall();
-    const Number address = number(s.a, Rep::Double);
+    const Number address = use(s.a, Rep::Double);
     const Gp active = freshGp();
     if (code_.isStraight)
       c_.mov(active, at(layout_.active(), wideTruthBytes));
     else
       c_.mov(active, active_);
     Number held{Rep::Double};
-    for (std::size_t i = 0; i < pieceCount(Rep::Double); ++i) {
-      held.piece[i] = inRegister(address.piece[i]);
-      c_.vmovdqa64(at(layout_.scratch(0) + wideBytes * i), held.piece[i].as<Zmm>());
-    }
+    for (std::size_t i = 0; i < pieceCount(Rep::Double); ++i) held.piece[i] = inRegister(address.piece[i]);
+    save(layout_.scratch(0), held);
     c_.tzcnt(place, active);
     c_.and_(place.r32(), 63);  // nobody runs: any
     c_.mov(place.r32(), x86::ptr(rows_, place, 2, static_cast<std::int32_t>(layout_.scratch(0)), 4));
@@ -221,7 +179,7 @@ x86::Mem WideEmitter::placeAt(const Gp& place, Area area, std::uint32_t byte) {
   return x86::ptr(rows_, place, 0, static_cast<std::int32_t>(layout_.reached(area).at + wideBytes * byte), wideBytes);
 }
 
-WideEmitter::Number WideEmitter::loadAt(const Step& s) {
+WideNumber WideEmitter::loadAt(const Step& s) {
   const Rep rep = repFor(s.width);
   const Label differ = c_.newLabel(), done = c_.newLabel();
   Number value{rep};
@@ -232,15 +190,12 @@ WideEmitter::Number WideEmitter::loadAt(const Step& s) {
     byte.piece[0] = placeAt(place, s.area, k);
     return byte;
   };
-  const int bytes = s.width / 8;
-  const Number common = bytes == 1   ? single(0)
-                        : bytes == 2 ? together(single(0), single(1))
-                                     : together(together(single(0), single(1)), together(single(2), single(3)));
+  const Number common = joined(s.width / 8, single);
   for (std::size_t i = 0; i < pieceCount(rep); ++i) c_.emit(Inst::kIdVmovdqa64, value.piece[i], common.piece[i]);
   c_.jmp(done);
   c_.bind(differ);
   if (!isScalar(s.a)) {
-    callByTrace(byTrace_.emplace_back(StepByTrace{s, layout_.reached(s.area)}), rep);
+    callByTrace(s, rep, layout_.reached(s.area));
     for (std::size_t i = 0; i < pieceCount(rep); ++i)
       c_.emit(Inst::kIdVmovdqa64, value.piece[i], at(layout_.scratch(2) + wideBytes * i));
   }
@@ -266,7 +221,7 @@ void WideEmitter::leaveWhereGuarded(const Step& s) {
       c_.bind(isElsewhere);
       continue;
     }
-    const Number from = each(Inst::kIdVpsubd, number(s.a, Rep::Double), constant(first & 0xFFFFFFFF, Rep::Double));
+    const Number from = each(Inst::kIdVpsubd, use(s.a, Rep::Double), constant(first & 0xFFFFFFFF, Rep::Double));
     const Gp who =
         truthFrom(compared(Inst::kIdVpcmpud, from, constant(span, Rep::Double), askLessOrEqual), Rep::Double);
     c_.and_(who, active_);
@@ -279,7 +234,7 @@ void WideEmitter::storeAt(const Step& s) {
   const Rep rep = repFor(s.width);
   const Label differ = c_.newLabel(), done = c_.newLabel();
   const ReachedRows& reached = layout_.reached(s.area);
-  Number value = number(s.b, rep);
+  Number value = use(s.b, rep);
   for (std::size_t i = 0; i < pieceCount(rep); ++i) value.piece[i] = inRegister(value.piece[i]);
   beforeStore(reached.at, wideBytes * reached.count);
   const Gp place = commonPlace(s, differ);
@@ -291,9 +246,8 @@ void WideEmitter::storeAt(const Step& s) {
   c_.jmp(done);
   c_.bind(differ);
   if (!isScalar(s.a)) {
-    for (std::size_t i = 0; i < pieceCount(rep); ++i)
-      c_.emit(Inst::kIdVmovdqa64, at(layout_.scratch(1) + wideBytes * i), value.piece[i]);
-    callByTrace(byTrace_.emplace_back(StepByTrace{s, reached}), rep);
+    save(layout_.scratch(1), value);
+    callByTrace(s, rep, reached);
   }
   c_.bind(done);
 }

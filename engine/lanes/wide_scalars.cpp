@@ -190,7 +190,7 @@ x86::Gp WideEmitter::scalarTruth(const Step& s) {
   return spread(x86::CondCode::kOverflow);
 }
 
-WideEmitter::Number WideEmitter::broadcast(const Gp& value, Rep rep) {
+WideNumber WideEmitter::broadcast(const Gp& value, Rep rep) {
   const Zmm all = freshZmm();
   switch (rep) {
     case Rep::Byte: c_.vpbroadcastb(all, value.r32()); break;

@@ -1,6 +1,7 @@
-// Values in registers of 512 bits, in mask registers and in general ones: what is held where, and from form to form.
+// Values in registers of 512 bits, in mask registers and in general ones: from form to form.
 #include <cstring>
 
+#include "engine/lanes/vector_forms.hpp"
 #include "engine/lanes/wide_emitter.hpp"
 #include "ir/check.hpp"
 
@@ -8,129 +9,6 @@ namespace rungproof::lanes {
 
 using namespace asmjit;  // its Operand: by its full name
 namespace Inst = x86::Inst;
-
-namespace {
-
-Rep formAbove(Rep rep) { return static_cast<Rep>(static_cast<int>(rep) + 1); }
-Rep formBelow(Rep rep) { return static_cast<Rep>(static_cast<int>(rep) - 1); }
-std::uint64_t wideKey(ValueId id, Rep rep) { return std::uint64_t{id} << 3 | static_cast<std::uint64_t>(rep); }
-std::size_t indexOf(Rep rep) { return static_cast<std::size_t>(rep) - 1; }
-
-}  // namespace
-
-x86::Gp WideEmitter::freshGp() {
-  return gps_.take([&] { return c_.newGpq(); });
-}
-x86::Zmm WideEmitter::freshZmm() {
-  return zmms_.take([&] { return c_.newZmm(); });
-}
-x86::KReg WideEmitter::freshMask() {
-  return maskPool_.take([&] { return c_.newKq(); });
-}
-
-// ---- What is held -------------------------------------------------------------------------------------
-
-void WideEmitter::holdTruth(ValueId id, const Gp& value) {
-  if (truths_.try_emplace(id, value).second) gps_.hold(value);
-}
-void WideEmitter::holdScalar(ValueId id, const Gp& value) {
-  if (scalars_.try_emplace(id, value).second) gps_.hold(value);
-}
-void WideEmitter::holdNumber(ValueId id, const Number& value) {
-  if (!numbers_.try_emplace(wideKey(id, value.rep), value).second) return;
-  for (std::size_t i = 0; i < pieceCount(value.rep); ++i) {
-    if (value.piece[i].isReg()) zmms_.hold(value.piece[i].as<Zmm>());
-  }
-}
-void WideEmitter::holdMasks(ValueId id, Rep rep, const Masks& masks) {
-  if (!masks_.try_emplace(wideKey(id, rep), masks).second) return;
-  for (std::size_t i = 0; i < pieceCount(rep); ++i) maskPool_.hold(masks[i]);
-  recentMasks_.push_back(wideKey(id, rep));
-}
-
-/// There are seven mask registers: what has stood there for long is soon made again of its bits.
-void WideEmitter::thinMasks(std::size_t most) {
-  std::erase_if(recentMasks_, [&](std::uint64_t key) { return !masks_.contains(key); });
-  const auto countOf = [](std::uint64_t key) { return pieceCount(static_cast<Rep>(key & 7)); };
-  std::size_t count = 0;
-  for (const std::uint64_t key : recentMasks_) count += countOf(key);
-  while (count > most) {
-    const std::uint64_t key = recentMasks_.front();
-    const auto id = static_cast<ValueId>(key >> 3);
-    if (!slotOf_.contains(id)) truth(id);
-    for (std::size_t i = 0; i < countOf(key); ++i) maskPool_.drop(masks_.at(key)[i]);
-    masks_.erase(key);
-    recentMasks_.erase(recentMasks_.begin());
-    count -= countOf(key);
-  }
-}
-void WideEmitter::drop(const Number& value) {
-  for (std::size_t i = 0; i < pieceCount(value.rep); ++i) {
-    if (value.piece[i].isReg()) zmms_.drop(value.piece[i].as<Zmm>());
-  }
-}
-
-/// Behind a step: what nobody needs any more is free.
-void WideEmitter::release() {
-  for (const ValueId id : flow_.endsAt[step_]) {
-    for (auto* held : {&truths_, &scalars_}) {
-      if (const auto found = held->find(id); found != held->end()) {
-        gps_.drop(found->second);
-        held->erase(found);
-      }
-    }
-    slotOf_.erase(id);
-    for (int r = static_cast<int>(Rep::Byte); r <= static_cast<int>(Rep::Quad); ++r) {
-      const std::uint64_t key = wideKey(id, static_cast<Rep>(r));
-      if (const auto found = numbers_.find(key); found != numbers_.end()) {
-        drop(found->second);
-        numbers_.erase(found);
-      }
-      if (const auto found = masks_.find(key); found != masks_.end()) {
-        for (std::size_t i = 0; i < pieceCount(static_cast<Rep>(r)); ++i) maskPool_.drop(found->second[i]);
-        masks_.erase(found);
-      }
-    }
-  }
-  gps_.endStep();
-  zmms_.endStep();
-  maskPool_.endStep();
-}
-
-void WideEmitter::forgetAll() {
-  truths_.clear();
-  scalars_.clear();
-  numbers_.clear();
-  masks_.clear();
-  recentMasks_.clear();
-  slotOf_.clear();
-  readAt_.clear();
-  sums_.clear();
-  gps_.clear();
-  zmms_.clear();
-  maskPool_.clear();
-}
-
-void WideEmitter::beforeStore(std::size_t first, std::size_t count) {
-  const auto begin = readAt_.lower_bound(first), end = readAt_.lower_bound(first + count);
-  for (auto entry = begin; entry != end; ++entry) {
-    const ValueId id = entry->second;
-    if (slotOf_.contains(id)) {
-      truth(id);
-      slotOf_.erase(id);
-    }
-    const auto found = numbers_.find(wideKey(id, repFor(widthOf(code_.steps[id]))));
-    if (found == numbers_.end() || found->second.piece[0].isReg()) continue;
-    Number& value = found->second;
-    for (std::size_t i = 0; i < pieceCount(value.rep); ++i) {
-      value.piece[i] = inRegister(value.piece[i]);
-      zmms_.hold(value.piece[i].as<Zmm>());
-    }
-  }
-  readAt_.erase(begin, end);
-}
-
-// ---- Truth values ---------------------------------------------------------------------------------------
 
 asmjit::Operand WideEmitter::truthSource(ValueId id) {
   const auto slot = slotOf_.find(id);
@@ -157,7 +35,7 @@ x86::Gp WideEmitter::truth(ValueId id) {
     c_.mov(value, at(slot->second, wideTruthBytes));
   } else if (own == Rep::Truth) {
     for (int r = static_cast<int>(Rep::Byte); r <= static_cast<int>(Rep::Quad) && !value.isValid(); ++r) {
-      const auto masks = masks_.find(wideKey(id, static_cast<Rep>(r)));
+      const auto masks = masks_.find(keyOf(id, static_cast<Rep>(r)));
       if (masks != masks_.end()) value = truthFrom(masks->second, static_cast<Rep>(r));
     }
     if (!value.isValid()) {
@@ -172,15 +50,7 @@ x86::Gp WideEmitter::truth(ValueId id) {
     c_.neg(value);
   } else {
     const Number bits = made(id);
-    static constexpr std::array<InstId, 4> tests = {Inst::kIdVptestmb, Inst::kIdVptestmw, Inst::kIdVptestmd,
-                                                    Inst::kIdVptestmq};
-    const Number one = constant(1, bits.rep);
-    Masks masks;
-    for (std::size_t i = 0; i < pieceCount(bits.rep); ++i) {
-      masks[i] = freshMask();
-      c_.emit(tests[indexOf(bits.rep)], masks[i], inRegister(bits.piece[i]), one.piece[i]);
-    }
-    value = truthFrom(masks, bits.rep);
+    value = truthFrom(tested(bits, constant(1, bits.rep)), bits.rep);
   }
   holdTruth(id, value);
   return value;
@@ -199,7 +69,7 @@ x86::Gp WideEmitter::writable(ValueId id) {
 }
 
 WideEmitter::Masks WideEmitter::masksOf(ValueId id, Rep rep) {
-  if (const auto found = masks_.find(wideKey(id, rep)); found != masks_.end()) return found->second;
+  if (const auto found = masks_.find(keyOf(id, rep)); found != masks_.end()) return found->second;
   const Masks masks = masksFrom(truthSource(id), rep);
   holdMasks(id, rep, masks);
   return masks;
@@ -208,7 +78,7 @@ WideEmitter::Masks WideEmitter::masksOf(ValueId id, Rep rep) {
 /// Each register of numbers has its part of the bits.
 WideEmitter::Masks WideEmitter::masksFrom(const asmjit::Operand& truth, Rep rep) {
   static constexpr std::array<InstId, 4> moves = {Inst::kIdKmovq, Inst::kIdKmovd, Inst::kIdKmovw, Inst::kIdKmovb};
-  const InstId move = moves[indexOf(rep)];
+  const InstId move = moves[static_cast<std::size_t>(rep) - 1];
   const auto bytes = static_cast<std::uint32_t>(wideTruthBytes / pieceCount(rep));
   Masks masks;
   for (std::size_t i = 0; i < pieceCount(rep); ++i) {
@@ -252,12 +122,6 @@ x86::Gp WideEmitter::truthFrom(const Masks& masks, Rep rep) {
   return value;
 }
 
-// ---- Numbers --------------------------------------------------------------------------------------------
-
-x86::Mem WideEmitter::at(std::size_t offset, std::uint32_t bytes) {
-  return x86::ptr(rows_, static_cast<std::int32_t>(offset), bytes);
-}
-
 x86::Zmm WideEmitter::inRegister(const asmjit::Operand& piece) {
   if (piece.isReg()) return piece.as<Zmm>();
   const Zmm reg = freshZmm();
@@ -265,7 +129,12 @@ x86::Zmm WideEmitter::inRegister(const asmjit::Operand& piece) {
   return reg;
 }
 
-WideEmitter::Number WideEmitter::each(InstId id, const Number& a, const Number& b) {
+void WideEmitter::save(std::size_t offset, const Number& value) {
+  for (std::size_t i = 0; i < pieceCount(value.rep); ++i)
+    c_.vmovdqa64(at(offset + wideBytes * i), inRegister(value.piece[i]));
+}
+
+WideNumber WideEmitter::each(InstId id, const Number& a, const Number& b) {
   Number to{a.rep};
   for (std::size_t i = 0; i < pieceCount(a.rep); ++i) {
     const Zmm result = freshZmm();
@@ -284,8 +153,18 @@ WideEmitter::Masks WideEmitter::compared(InstId id, const Number& a, const Numbe
   return masks;
 }
 
+/// Where any of these bits is on.
+WideEmitter::Masks WideEmitter::tested(const Number& a, const Number& bits) {
+  Masks masks;
+  for (std::size_t i = 0; i < pieceCount(a.rep); ++i) {
+    masks[i] = freshMask();
+    c_.emit(formOf(forms::bitTest, a.rep), masks[i], inRegister(a.piece[i]), bits.piece[i]);
+  }
+  return masks;
+}
+
 /// The same number for every trace.
-WideEmitter::Number WideEmitter::constant(std::uint64_t value, Rep rep) {
+WideNumber WideEmitter::constant(std::uint64_t value, Rep rep) {
   Number all{rep};
   asmjit::Operand source;
   if (value == 0) {
@@ -302,18 +181,24 @@ WideEmitter::Number WideEmitter::constant(std::uint64_t value, Rep rep) {
   return all;
 }
 
-WideEmitter::Number WideEmitter::loaded(Row row) {
+WideNumber WideEmitter::loaded(Row row) {
   Number value{row.rep};
   for (std::size_t i = 0; i < pieceCount(row.rep); ++i) value.piece[i] = at(row.at + wideBytes * i);
   return value;
 }
 
-WideEmitter::Number WideEmitter::widened(const Number& value) {
+WideNumber WideEmitter::copyOf(Row row) {
+  Number value = loaded(row);
+  for (std::size_t i = 0; i < pieceCount(row.rep); ++i) value.piece[i] = inRegister(value.piece[i]);
+  return value;
+}
+
+WideNumber WideEmitter::widened(const Number& value) {
   static constexpr std::array<InstId, 3> extend = {Inst::kIdVpmovzxbw, Inst::kIdVpmovzxwd, Inst::kIdVpmovzxdq};
-  Number to{formAbove(value.rep)};
+  Number to{wider(value.rep)};
   for (std::size_t i = 0; i < pieceCount(value.rep); ++i) {
     const Zmm low = freshZmm(), high = freshZmm();
-    const InstId id = extend[indexOf(value.rep)];
+    const InstId id = extend[static_cast<std::size_t>(value.rep) - 1];
     if (value.piece[i].isMem()) {
       Mem half = value.piece[i].as<Mem>();
       half.setSize(wideBytes / 2);
@@ -332,10 +217,10 @@ WideEmitter::Number WideEmitter::widened(const Number& value) {
 }
 
 /// What has no room in the narrower form is cut off.
-WideEmitter::Number WideEmitter::narrowed(const Number& value) {
+WideNumber WideEmitter::narrowed(const Number& value) {
   static constexpr std::array<InstId, 3> truncate = {Inst::kIdVpmovwb, Inst::kIdVpmovdw, Inst::kIdVpmovqd};
-  const InstId id = truncate[indexOf(value.rep) - 1];
-  Number to{formBelow(value.rep)};
+  const InstId id = truncate[static_cast<std::size_t>(value.rep) - 1 - 1];
+  Number to{narrower(value.rep)};
   for (std::size_t i = 0; i < pieceCount(to.rep); ++i) {
     const Zmm low = freshZmm(), high = freshZmm(), both = freshZmm();
     c_.emit(id, low.ymm(), inRegister(value.piece[2 * i]));
@@ -346,30 +231,34 @@ WideEmitter::Number WideEmitter::narrowed(const Number& value) {
   return to;
 }
 
-WideEmitter::Number WideEmitter::cut(const Number& value, int width) {
+WideNumber WideEmitter::cut(const Number& value, int width) {
   return width >= bitsOf(value.rep) ? value : each(Inst::kIdVpandq, value, constant(Concrete::mask(width), value.rep));
 }
 
-WideEmitter::Number WideEmitter::shifted(const Number& value, bool isLeft, std::uint32_t count) {
-  static constexpr std::array<std::array<InstId, 2>, 3> shifts = {
-      {{Inst::kIdVpsrlw, Inst::kIdVpsllw}, {Inst::kIdVpsrld, Inst::kIdVpslld}, {Inst::kIdVpsrlq, Inst::kIdVpsllq}}};
+WideNumber WideEmitter::fit(Number value, Rep rep, int width) {
+  while (value.rep > rep) value = narrowed(value);
+  return cut(value, width);
+}
+
+WideNumber WideEmitter::shifted(const Number& value, bool isLeft, std::uint32_t count) {
   CHECK(value.rep >= Rep::Word, "bytes are shifted as words");
   Number to{value.rep};
   for (std::size_t i = 0; i < pieceCount(value.rep); ++i) {
     const Zmm result = freshZmm();
-    c_.emit(shifts[indexOf(value.rep) - 1][isLeft ? 1 : 0], result, inRegister(value.piece[i]), imm(count));
+    c_.emit(formOf(isLeft ? forms::shiftLeft : forms::shiftRight, value.rep), result, inRegister(value.piece[i]),
+            imm(count));
     to.piece[i] = result;
   }
   return to;
 }
 
 /// As it was made, or as an earlier block kept it.
-WideEmitter::Number WideEmitter::made(ValueId id) {
+WideNumber WideEmitter::made(ValueId id) {
   const Step& s = code_.steps[id];
   if (s.op == CodeOp::Constant) return constant(s.value, std::max(Rep::Byte, repFor(s.width)));
   const Rep rep = repFor(widthOf(s));
-  if (rep == Rep::Truth) return number(id, Rep::Byte);
-  const auto found = numbers_.find(wideKey(id, rep));
+  if (rep == Rep::Truth) return use(id, Rep::Byte);
+  const auto found = numbers_.find(keyOf(id, rep));
   if (found != numbers_.end()) return found->second;
   Number value;
   if (isScalar(id)) {
@@ -383,29 +272,27 @@ WideEmitter::Number WideEmitter::made(ValueId id) {
   return value;
 }
 
-WideEmitter::Number WideEmitter::number(ValueId id, Rep rep) {
+WideNumber WideEmitter::use(ValueId id, Rep rep) {
   const Step& s = code_.steps[id];
   CHECK(rep != Rep::Truth, "a truth value is no number");
   if (s.op == CodeOp::Constant) return constant(s.value, rep);
   const Rep own = repFor(widthOf(s));
   if (own == rep) return made(id);
-  const auto found = numbers_.find(wideKey(id, rep));
+  const auto found = numbers_.find(keyOf(id, rep));
   if (found != numbers_.end()) return found->second;
   Number value{rep};
   if (own == Rep::Truth) {
-    static constexpr std::array<InstId, 4> moves = {Inst::kIdVmovdqu8, Inst::kIdVmovdqu16, Inst::kIdVmovdqa32,
-                                                    Inst::kIdVmovdqa64};
     const Masks masks = masksOf(id, rep);
     const Number one = constant(1, rep);
     for (std::size_t i = 0; i < pieceCount(rep); ++i) {
       const Zmm to = freshZmm();
-      c_.k(masks[i]).z().emit(moves[indexOf(rep)], to, one.piece[i]);
+      c_.k(masks[i]).z().emit(formOf(forms::maskedMove, rep), to, one.piece[i]);
       value.piece[i] = to;
     }
   } else if (isScalar(id)) {
     value = broadcast(scalar(id), rep);
   } else {
-    value = rep > own ? widened(number(id, formBelow(rep))) : narrowed(number(id, formAbove(rep)));
+    value = rep > own ? widened(use(id, narrower(rep))) : narrowed(use(id, wider(rep)));
   }
   holdNumber(id, value);
   return value;
