@@ -107,7 +107,7 @@ int GateClauses::all(std::span<const int> literals) {
 
 GateClauses::Word GateClauses::constant(std::uint64_t value, int width) {
   Word result;
-  for (int i = 0; i < width; ++i) result.push_back((value >> i & 1U) != 0 ? yes : -yes);
+  for (int i = 0; i < width; ++i) result.push_back(i < 64 && (value >> i & 1U) != 0 ? yes : -yes);
   return result;
 }
 

@@ -240,5 +240,14 @@ TEST(ScanClauses, AGuideIsFollowedWhereItHolds) {
   EXPECT_EQ(checkGuided(allOf(parts), wrong), CheckResult::Invalid);
 }
 
+/// Bits beyond the 64 of the number are 0.
+TEST(GateClauses, ConstantsMayBeWiderThanTheirNumber) {
+  const GateClauses::Word word = GateClauses::constant(~0ULL, 66);
+  ASSERT_EQ(word.size(), 66U);
+  EXPECT_EQ(word[63], GateClauses::yes);
+  EXPECT_EQ(word[64], -GateClauses::yes);
+  EXPECT_EQ(word[65], -GateClauses::yes);
+}
+
 }  // namespace
 }  // namespace rungproof::test
