@@ -13,7 +13,7 @@ struct Simulator::Hooks {
 
   void before(Runner& runner, const FlowStep& step) {
     Simulator& s = simulator;
-    const Cost& cost = s.costs_[step.id];
+    const Cost& cost = s.costs_[step.id()];
     s.position_ += s.pending_;
     s.pending_ = 0;
     if (s.position_ >= s.nextMs_ || s.attention_) s.boundary(runner, &step);
@@ -30,7 +30,7 @@ struct Simulator::Hooks {
     callByContract(runner.machine(), instruction, *contract);
   }
 
-  Execute<Concrete> entry(const FlowStep& step) const { return simulator.costs_[step.id].run; }
+  Execute<Concrete> entry(const FlowStep& step) const { return simulator.costs_[step.id()].run; }
 
   /// `base`: where the block's local memory begins.
   void freshLocal(Runner& runner, std::uint32_t base, std::uint32_t byte) {

@@ -25,14 +25,14 @@ void Simulator::prepareCosts() {
   for (const Flow& flow : plan_.flows) {
     for (const FlowStep& step : flow.steps) {
       const Desc& desc = *step.instruction->desc;
-      costs_[step.id].run = executionOf(*step.instruction);
+      costs_[step.id()].run = executionOf(*step.instruction);
       if (plan_.isStep7()) continue;
       std::uint32_t time = desc.time == 0 ? unlistedTime : desc.time;
       for (const Operand& operand : step.instruction->operands) {
         if (operand.kind == OperandKind::Indirect) time += pointerTime;
       }
-      costs_[step.id] = {{desc.execution == Execution::Conditional ? idleTime : time, time},
-                         executionOf(*step.instruction)};
+      costs_[step.id()] = {{desc.execution == Execution::Conditional ? idleTime : time, time},
+                           executionOf(*step.instruction)};
     }
   }
 }

@@ -114,8 +114,7 @@ Flow flowOf(const Pou& pou, const std::vector<bool>& isLeftOut) {
   flow.steps.reserve(count);
   for (std::uint32_t n = 0; n < pou.networks.size(); ++n) {
     for (const Instruction& instruction : pou.networks[n].instructions) {
-      if (isLeftOut.empty() || !isLeftOut[instruction.id])
-        flow.steps.push_back({&instruction, noPartner, n, instruction.id});
+      if (isLeftOut.empty() || !isLeftOut[instruction.id]) flow.steps.push_back({&instruction, noPartner, n});
     }
   }
   Pairing(flow).run();

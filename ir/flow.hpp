@@ -39,7 +39,8 @@ struct FlowStep {
   std::uint32_t partner;  ///< index in Flow::steps: JMP: its LBL; FOR: its NEXT and back; LSCR: its SCRE and back;
                           ///< SCRT, CSCRE: their LSCR, SCRE
   std::uint32_t network;  ///< index in Pou::networks
-  std::uint32_t id;       ///< Instruction::id
+
+  std::uint32_t id() const { return instruction->id; }
 };
 
 struct Flow {

@@ -48,9 +48,12 @@ struct LocalVariable {
 struct Instruction {
   const Desc* desc = nullptr;  ///< never null in a program; unknown mnemonics become findings, not instructions
   Operands operands;
-  Span span;             ///< mnemonic through last operand
-  Span mnemonic;         ///< the mnemonic as written
-  std::uint32_t id = 0;  ///< number over the whole program, in program order; set by Program::number()
+  Span span;                         ///< mnemonic through last operand
+  std::uint32_t mnemonicLength = 0;  ///< bytes
+  std::uint32_t id = 0;              ///< number over the whole program, in program order; set by Program::number()
+
+  /// The mnemonic as written.
+  Span mnemonic() const { return {span.file, span.offset, mnemonicLength}; }
 };
 
 inline Role roleOf(const Instruction& instruction) { return instruction.desc->role; }

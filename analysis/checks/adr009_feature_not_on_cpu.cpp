@@ -22,14 +22,15 @@ class Checker {
     const Desc& desc = *instruction.desc;
     const Target& target = facts_.target();
     if ((desc.cpus & cpuBit(target.cpu)) == 0) {
-      report(instruction.mnemonic, fmt::format("the {} has no instruction {} ({})", cpu(), desc.stl, desc.manual));
+      report(instruction.mnemonic(), fmt::format("the {} has no instruction {} ({})", cpu(), desc.stl, desc.manual));
     } else if (desc.since2004 && target.edition == Edition::Edition2003) {
-      report(instruction.mnemonic,
+      report(instruction.mnemonic(),
              fmt::format("{} does not exist in the 2003 edition; it came with 2004 (001:130)", desc.stl));
     }
     if (desc.since28 && target.edition == Edition::Smart27) {
-      report(instruction.mnemonic, fmt::format("{} came with firmware V2.8 of the S7-200 SMART; the program is for {}",
-                                               desc.stl, editionText(target.edition)))
+      report(instruction.mnemonic(),
+             fmt::format("{} came with firmware V2.8 of the S7-200 SMART; the program is for {}", desc.stl,
+                         editionText(target.edition)))
           .severity = Severity::Warning;
     }
     const std::size_t count = std::min<std::size_t>(instruction.operands.size(), desc.operandCount);

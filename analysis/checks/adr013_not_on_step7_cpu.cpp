@@ -20,7 +20,7 @@ class CpuLimits {
   void instruction(const Instruction& instruction) {
     const Desc& desc = *instruction.desc;
     if ((desc.cpus & cpuBit(facts_.target().cpu)) == 0)
-      report(instruction.mnemonic,
+      report(instruction.mnemonic(),
              fmt::format("{} moves ACCU3 and ACCU4, and the {} has two accumulators", desc.stl, cpu_));
     for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
       const Operand& operand = instruction.operands[i];

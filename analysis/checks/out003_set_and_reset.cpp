@@ -19,8 +19,8 @@ bool isLatchOrCoil(const Instruction& instruction) {
 
 bool isInInterrupt(const EncodedScan& encoding, const Instruction& instruction) {
   return std::ranges::any_of(encoding.plan().flows, [&](const Flow& flow) {
-    return flow.pou->kind == PouKind::Interrupt && !flow.steps.empty() && flow.steps.front().id <= instruction.id &&
-           instruction.id <= flow.steps.back().id;
+    return flow.pou->kind == PouKind::Interrupt && !flow.steps.empty() && flow.steps.front().id() <= instruction.id &&
+           instruction.id <= flow.steps.back().id();
   });
 }
 

@@ -35,7 +35,8 @@ void CircuitCode::add(const Desc* desc, Operands operands, Span span) {
   Instruction instruction;
   instruction.desc = desc;
   instruction.operands = std::move(operands);
-  instruction.span = instruction.mnemonic = span;
+  instruction.span = span;
+  instruction.mnemonicLength = span.length;
   lowered_.instructions.push_back(std::move(instruction));
 }
 

@@ -26,7 +26,7 @@ ExecutionRecord::ExecutionRecord(const Program& program, bool contacts) : contac
   for (std::uint32_t b = 0; b < plan.flows.size(); ++b) {
     const std::vector<FlowStep>& steps = plan.flows[b].steps;
     for (std::uint32_t i = 0; i < steps.size(); ++i) {
-      Site& site = sites_[steps[i].id];
+      Site& site = sites_[steps[i].id()];
       site.block = b;
       site.network = steps[i].network;
       site.isFirst = i == 0 || steps[i - 1].network != steps[i].network;
@@ -40,8 +40,8 @@ ExecutionRecord::ExecutionRecord(const Program& program, bool contacts) : contac
       if (control != Control::Jump && !isLoop) continue;
       const std::uint32_t target = step.partner + (isLoop ? 1 : 0);
       if (target >= steps.size()) continue;
-      if (target == 0) sites_[steps[target].id].isEntry = false;
-      if (!sites_[steps[target].id].isFirst) hasEntriesWithin_[b] = true;
+      if (target == 0) sites_[steps[target].id()].isEntry = false;
+      if (!sites_[steps[target].id()].isFirst) hasEntriesWithin_[b] = true;
     }
   }
   const StackRun run(program, plan, {});

@@ -283,7 +283,7 @@ AccessTable::AccessTable(const Program& program, const Plan& plan) {
   AccessCollector collector(program, accesses_);
   for (const Flow& flow : plan.flows) {
     for (const FlowStep& step : flow.steps) {
-      first_.resize(step.id + 1, static_cast<std::uint32_t>(accesses_.size()));
+      first_.resize(step.id() + 1, static_cast<std::uint32_t>(accesses_.size()));
       collector.collect(flow, step);
     }
   }

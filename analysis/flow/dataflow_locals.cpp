@@ -47,8 +47,8 @@ class Pass {
   void step(std::uint32_t i) {
     const FlowStep& step = flow_.steps[i];
     const Instruction& instruction = *step.instruction;
-    const bool isAlways = (facts_.stack().at(step.id).flow & condition::Always) != 0;
-    const std::span<const Access> accesses = facts_.accesses().of(step.id);
+    const bool isAlways = (facts_.stack().at(step.id()).flow & condition::Always) != 0;
+    const std::span<const Access> accesses = facts_.accesses().of(step.id());
     for (const Access& access : accesses) read(access);
     for (const Access& access : accesses) {
       if (access.write && access.area == Area::L && !access.viaPointer) written_ |= localBitsOf(access);

@@ -64,7 +64,7 @@ class Temps {
   /// Whether places are written that the text does not name.
   bool writesThroughPointers() const {
     return std::ranges::any_of(flow_.steps, [&](const FlowStep& step) {
-      return std::ranges::any_of(facts_.accesses().of(step.id), [&](const Access& access) {
+      return std::ranges::any_of(facts_.accesses().of(step.id()), [&](const Access& access) {
         if (!access.write || !access.viaPointer || access.operand >= step.instruction->operands.size()) return false;
         const Operand& operand = step.instruction->operands[access.operand];
         return operand.reach != nullptr && (operand.reach->way == Way::Crossing || operand.area == Area::L);

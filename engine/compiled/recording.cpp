@@ -25,7 +25,7 @@ struct RecordingHooks {
   TimeAt timeAt{};
 
   void before(Machine<Recorder>& m, const FlowStep& step) {
-    const std::array<std::uint32_t, 2>& time = times[step.id];
+    const std::array<std::uint32_t, 2>& time = times[step.id()];
     d.code.mostTime += std::max(time[0], time[1]);
     if (!d.code.countsTime) return;
     const std::uint32_t least = std::min(time[0], time[1]);
@@ -37,7 +37,7 @@ struct RecordingHooks {
   }
   /// A part begins that only some runs go through: all of them take the time that its instructions take without power.
   void skip(std::span<const FlowStep> part) {
-    for (const FlowStep& step : part) addTime(std::min(times[step.id][0], times[step.id][1]));
+    for (const FlowStep& step : part) addTime(std::min(times[step.id()][0], times[step.id()][1]));
     isInPart = true;
   }
   void goOn() { isInPart = false; }

@@ -50,7 +50,7 @@ bool writesGerman(const Program& program) {
       for (const Instruction& instruction : network.instructions) {
         const Desc& desc = *instruction.desc;
         if (desc.german.empty() || desc.german == desc.stl) continue;
-        return equalsIgnoringCase(program.sources->text(instruction.mnemonic), desc.german);
+        return equalsIgnoringCase(program.sources->text(instruction.mnemonic()), desc.german);
       }
     }
   }

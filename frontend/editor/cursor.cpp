@@ -10,9 +10,9 @@ bool touches(Span span, std::uint32_t offset) { return span.offset <= offset && 
 
 void findInInstruction(const Instruction& instruction, std::uint32_t offset, Cursor& cursor) {
   cursor.instruction = &instruction;
-  if (touches(instruction.mnemonic, offset)) {
+  if (touches(instruction.mnemonic(), offset)) {
     cursor.isMnemonic = true;
-    cursor.span = instruction.mnemonic;
+    cursor.span = instruction.mnemonic();
     return;
   }
   for (std::size_t i = 0; i < instruction.operands.size(); ++i) {

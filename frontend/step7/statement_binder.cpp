@@ -102,7 +102,7 @@ void StatementBinder::append(const Desc& desc, const Statement& statement, rungp
   Instruction instruction;
   instruction.desc = &desc;
   instruction.operands = std::move(operands);
-  instruction.mnemonic = statement.mnemonic.span;
+  instruction.mnemonicLength = statement.mnemonic.span.length;
   const std::uint32_t end = statement.span.offset + statement.span.length;
   instruction.span = statement.mnemonic.span;
   instruction.span.length = std::max(end, instruction.span.offset) - instruction.span.offset;
@@ -113,7 +113,8 @@ bool StatementBinder::statement(const Statement& statement) {
   if (!statement.label.text.empty()) {
     Instruction label;
     label.desc = &required("LABEL");
-    label.mnemonic = label.span = statement.label.span;
+    label.span = statement.label.span;
+    label.mnemonicLength = label.span.length;
     rungproof::Operand number = constant(scope_->labels[statement.label.text], ConstantForm::Typed);
     number.text = statement.label.text;
     number.span = statement.label.span;

@@ -122,7 +122,7 @@ StatementKind StatementReader::read(const Line& line, Instruction& instruction) 
                     fmt::format("{} {}", desc.stl, slice(gluedBegin, wordEnd)));
     pieces_.push_back({gluedBegin, wordEnd});
   }
-  gather(line, nextWord, gluedBegin);
+  gather(line, nextWord);
   joinDecimalCommas(desc);
 
   if (line.openQuote) {
@@ -145,7 +145,7 @@ StatementKind StatementReader::read(const Line& line, Instruction& instruction) 
     return StatementKind::Failed;
   }
   instruction.desc = &desc;
-  instruction.mnemonic = mnemonic;
+  instruction.mnemonicLength = mnemonic.length;
   instruction.span = sink_.span(first.begin, pieces_.empty() ? mnemonicEnd : std::max(mnemonicEnd, pieces_.back().end));
   instruction.operands.clear();
   instruction.operands.reserve(pieces_.size());
@@ -157,8 +157,7 @@ StatementKind StatementReader::read(const Line& line, Instruction& instruction) 
 }
 
 /// Words after the mnemonic to operands; words that make one operand are joined.
-void StatementReader::gather(const Line& line, std::size_t firstWord, std::uint32_t gluedBegin) {
-  (void)gluedBegin;
+void StatementReader::gather(const Line& line, std::size_t firstWord) {
   for (std::size_t i = firstWord; i < line.words.size(); ++i) {
     const Word& word = line.words[i];
     const std::string_view text = slice(word.begin, word.end);

@@ -47,7 +47,7 @@ class StatementReader {
   }
   const MnemonicResult& mnemonicOf(std::string_view word);
   StatementKind unknown(const Line& line);
-  void gather(const Line& line, std::size_t firstWord, std::uint32_t gluedBegin);
+  void gather(const Line& line, std::size_t firstWord);
   bool belongsTogether(const Piece& piece, std::string_view next) const;
   void joinDecimalCommas(const Desc& desc);
   bool dropStrayTail(const Line& line, std::size_t limit);

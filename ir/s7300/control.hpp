@@ -429,7 +429,7 @@ void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instructi
 /// front of its call.
 template <class D, class Hooks>
 void Scan<D, Hooks>::systemBlock(const Instruction& call) {
-  const FlowStep step{&call, noPartner, 0, call.id};
+  const FlowStep step{&call, noPartner, 0};
   std::function<void()> between;
   const bool isInterrupted = std::ranges::any_of(m_.plan.flows, [](const Flow& flow) {
     return flow.pou->type == BlockType::Ob && eventOfBlock(numberOfBlock(flow.pou->number)) >= 0;

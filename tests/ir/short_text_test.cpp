@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ir/finding.hpp"
+#include "ir/flow.hpp"
 #include "ir/operands.hpp"
 #include "ir/program.hpp"
 
@@ -85,7 +86,8 @@ TEST(Operands, BehaveAsAVector) {
 /// A long program has millions of them.
 TEST(Records, AreSmall) {
   EXPECT_LE(sizeof(Operand), 48U);
-  EXPECT_LE(sizeof(Instruction), 48U);
+  EXPECT_LE(sizeof(Instruction), 40U);
+  EXPECT_LE(sizeof(FlowStep), 16U);
   EXPECT_LE(sizeof(Network), 128U);
   EXPECT_LE(sizeof(Finding), 144U);
 }

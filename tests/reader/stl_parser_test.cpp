@@ -54,7 +54,7 @@ TEST(StlParser, PlacesPointIntoTheText) {
   const Network& network = program.pous[0].networks[0];
   const Instruction& move = network.instructions[1];
   EXPECT_EQ(program.sources->text(move.span), "MOVW   VW10,\tVW20");
-  EXPECT_EQ(program.sources->text(move.mnemonic), "MOVW");
+  EXPECT_EQ(program.sources->text(move.mnemonic()), "MOVW");
   EXPECT_EQ(program.sources->text(move.operands[1].span), "VW20");
   EXPECT_EQ(program.sources->text(network.comments[0].span), "// move");
   EXPECT_EQ(program.sources->position(move.span).line, 6U);
