@@ -101,8 +101,8 @@ class QuestionSearch {
   template <class Wanted>
   std::vector<std::size_t> openQuestions(Wanted&& wanted) const;
   void answerOpen(const Questions& open, const PortfolioOptions& options);
-  template <class Wanted>
-  void searchOnEngine(Wanted&& wanted, std::uint64_t instructions);
+  template <class Wanted, class Watched>
+  void searchOnEngine(Wanted&& wanted, std::uint64_t instructions, Watched&& isWatched);
   bool searchShallow(std::size_t question);
   void explore(Clock::time_point deadline, double seconds);
   void takeExplored();

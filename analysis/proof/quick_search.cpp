@@ -13,14 +13,15 @@ void QuestionSearch::answerQuickly(Clock::time_point deadline) {
   together.effort = Effort::Together;
   quick_.resize(exact_->system().questions.size());
   const auto isPremise = [&](std::size_t q) { return !isDeclared(q); };
+  const auto none = [](std::size_t) { return false; };
   const bool hasManyPremises = openQuestions(isPremise).size() > schedule::manyPremises;
-  if (hasManyPremises) searchOnEngine(isPremise, schedule::premiseInstructions);
+  if (hasManyPremises) searchOnEngine(isPremise, schedule::premiseInstructions, none);
   PortfolioOptions surface = together;
   surface.effort = Effort::Surface;
   answerOpen(openQuestions([](std::size_t) { return true; }), surface);
   together.techniques.leaveOut(Technique::OneScan);
   const auto searchFewPremises = [&] {
-    if (!hasManyPremises) searchOnEngine(isPremise, schedule::fewInstructions);
+    if (!hasManyPremises) searchOnEngine(isPremise, schedule::fewInstructions, none);
   };
   const bool arePremisesLeft = openQuestions([&](std::size_t q) { return !isPremise(q); }).empty();
   if (arePremisesLeft) {
@@ -44,13 +45,13 @@ void QuestionSearch::answerQuickly(Clock::time_point deadline) {
     if (quick_[q].answer == Answer::Unknown && !(maySearch && searchShallow(q))) open.push_back(q);
   }
   const auto isReached = [&](std::size_t q) { return !isDeclared(q) || goals_[q].kind == PropertyKind::Reach; };
-  searchOnEngine(isReached, arePremisesLeft ? GuidedLimits{}.instructions : schedule::someInstructions);
+  searchOnEngine(isReached, arePremisesLeft ? GuidedLimits{}.instructions : schedule::someInstructions, waits);
   takeExplored();
   std::erase_if(open, [&](std::size_t q) { return quick_[q].answer != Answer::Unknown; });
   PortfolioOptions apart = portfolio(std::min(options_.timeout, schedule::quickSeconds), deadline, &cancel);
   apart.effort = Effort::Apart;
   answerOpen(open, apart);
-  if (!arePremisesLeft) searchOnEngine(isReached, GuidedLimits{}.instructions);
+  if (!arePremisesLeft) searchOnEngine(isReached, GuidedLimits{}.instructions, waits);
   explore(deadline, schedule::exploringSeconds);
 }
 
@@ -110,18 +111,23 @@ void QuestionSearch::answerOpen(const Questions& open, const PortfolioOptions& o
   }
 }
 
-/// Runs of the engine for wanted goals that are still open, all together.
-template <class Wanted>
-void QuestionSearch::searchOnEngine(Wanted&& wanted, std::uint64_t instructions) {
-  const std::vector<std::size_t> open = openQuestions([&](std::size_t q) { return q < goals_.size() && wanted(q); });
+/// Runs of the engine for wanted goals that are still open, all together. Others are watched where that is wanted: a
+/// run that is long enough for one goal often shows that another does not hold.
+template <class Wanted, class Watched>
+void QuestionSearch::searchOnEngine(Wanted&& wanted, std::uint64_t instructions, Watched&& isWatched) {
+  std::vector<std::size_t> open = openQuestions([&](std::size_t q) { return q < goals_.size() && wanted(q); });
+  if (open.empty()) return;
+  const std::vector<std::size_t> watched =
+      openQuestions([&](std::size_t q) { return q < goals_.size() && !wanted(q) && isWatched(q); });
+  open.insert(open.end(), watched.begin(), watched.end());
   std::vector<const Property*> goals;
   for (const std::size_t q : open) goals.push_back(&goals_[q]);
-  if (options_.bound > 0 || open.empty() || watch_.isStopped()) return;
+  if (options_.bound > 0 || watch_.isStopped()) return;
   if (!options_.techniques.has(Technique::EngineRuns)) return;
-  TechniqueTurn turn(&log_, Technique::EngineRuns, open.size());
-  std::vector<std::optional<Witness>> found =
-      guidedRuns(program_, exact_->askedProperties().encoding(), assumptions_, goals, options_.seed,
-                 {std::min(options_.timeout * schedule::engineShare, schedule::engineSeconds), instructions});
+  TechniqueTurn turn(&log_, Technique::EngineRuns, open.size() - watched.size());
+  std::vector<std::optional<Witness>> found = guidedRuns(
+      program_, exact_->askedProperties().encoding(), assumptions_, goals, options_.seed,
+      {std::min(options_.timeout * schedule::engineShare, schedule::engineSeconds), instructions, watched.size()});
   for (std::size_t i = 0; i < open.size(); ++i) {
     if (!found[i]) continue;
     show(open[i], std::move(*found[i]), "engine runs");

@@ -143,7 +143,7 @@
   ROW(std::int64_t, widestDifference, 1 << 20, "", "bounds further apart tell nothing") \
   ROW(double, runsBeforeBounds, 0.01, "s", "of random runs for each question that bounds would be looked for") \
   ROW(double, raceBeforeBounds, 0.03, "s", "of the race for each question, before bounds under many conditions are looked for") \
-  ROW(double, firstBounds, 0.1, "s", "for few bounds before runs are searched with long scans: most of what waits for timers is true") \
+  ROW(double, firstBounds, 0.5, "s", "for few bounds before runs are searched with long scans: most of what waits for timers is true, and what is cut off begins anew later") \
   ROW(double, quickBounds, 0.3, "s", "for bounds under many conditions while all are looked at together: those that prove something are found sooner") \
   ROW(double, boundShare, 2, "of a question", "for bounds on differences, which whole groups wait for") \
   ROW(double, miningShare, 0.3, "of what is left", "the same, at most") \

@@ -74,6 +74,7 @@ class GuidedSearch {
         lengthMs_(encoding.options().time.high),
         begin_(Clock::now()),
         limits_(limits),
+        wanted_(goals.size() - limits.alsoWatched),
         found_(goals.size()) {
     for (const ScanInput& input : scanInputsOf(encoding)) inputs_.push_back({input.operand, 0});
     for (const auto& [event, routines] : attachmentsOf(encoding.plan())) events_.push_back(event);
@@ -101,7 +102,7 @@ class GuidedSearch {
  private:
   double used() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
   bool isDone() const {
-    return std::all_of(found_.begin(), found_.end(), [](const auto& f) { return f.has_value(); });
+    return std::ranges::all_of(std::span(found_).first(wanted_), [](const auto& f) { return f.has_value(); });
   }
 
   /// Scans from the first to the last, which are made once or, if `comesAgain`, over and over.
@@ -198,7 +199,7 @@ class GuidedSearch {
       for (std::size_t g = 0; g < goals_.size(); ++g) {
         if (search_.found_[g] || isShown_[g]) continue;
         isShown_[g] = goals_[g].evaluate(domain_, state, scan, isFirst);
-        isOpen = isOpen || !isShown_[g];
+        isOpen = isOpen || (!isShown_[g] && g < search_.wanted_);
         if (isShown_[g]) show(g);
       }
       return isOpen;
@@ -309,6 +310,7 @@ class GuidedSearch {
   const std::uint32_t lengthMs_;
   const Clock::time_point begin_;
   const GuidedLimits limits_;
+  const std::size_t wanted_;  ///< the first goals
   std::vector<PresetValue> inputs_;
   std::vector<int> events_;  ///< that the program attaches
   ScanPlace first_;          ///< in front of the program

@@ -18,6 +18,8 @@ struct GuidedLimits {
   /// Without a new goal shown, of the run with all inputs on, of that with all off, of those with one input on alone
   /// together, and of all random runs together.
   std::uint64_t instructions = schedule::guidedInstructions;
+  /// Goals, the last ones, that are watched as long as runs are made for others.
+  std::size_t alsoWatched = 0;
 };
 
 /// By goal: a run that shows it, if one was found within the limits. `encoding` tells the program's inputs.

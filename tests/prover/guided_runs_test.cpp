@@ -15,10 +15,13 @@ struct Setting {
     askedProperties =
         std::make_unique<AskedProperties>(input.program, input.properties, goals, encoderOptionsOf(options));
   }
-  std::vector<std::optional<Witness>> search() {
+  /// The last `alsoWatched` goals keep no run going.
+  std::vector<std::optional<Witness>> search(std::size_t alsoWatched = 0) {
     std::vector<const Property*> wanted;
     for (const Property& goal : goals) wanted.push_back(&goal);
-    return guidedRuns(input.program, askedProperties->encoding(), assumptions, wanted, 1, {20});
+    GuidedLimits limits{20};
+    limits.alsoWatched = alsoWatched;
+    return guidedRuns(input.program, askedProperties->encoding(), assumptions, wanted, 1, limits);
   }
   bool isRepeated(std::size_t goal, const Witness& witness) const {
     return Judge(input.program, options.choices, assumptions, goals[goal])
@@ -44,6 +47,18 @@ TEST(GuidedRuns, LongTimersOneBehindTheOther) {
   // The first scan brings no tick: 600 s in scans of 0.5 s need 1,200 more.
   EXPECT_EQ(found[0]->scanCount, 1201U);
   EXPECT_EQ(found[1]->milliseconds, 500U * (1 + 1200 + 2400));
+}
+
+TEST(GuidedRuns, ShowOnTheWayWhatElseIsWatched) {
+  // The lamp comes on in the scan in which T37 ends, so the run that shows the timer shows the lamp; T38 ends later,
+  // when nobody waits for it any more.
+  Setting s("//@ reach time: T37\n//@ prove dark: never Q0.0\n//@ reach later: T38\n",
+            "Network 1\nLD I0.0\nTON T37, 6000\nTON T38, 9000\nLD T37\n= Q0.0\n");
+  const std::vector<std::optional<Witness>> found = s.search(2);
+  ASSERT_TRUE(found[0] && found[1]);
+  EXPECT_EQ(found[1]->scanCount, found[0]->scanCount);
+  EXPECT_TRUE(s.isRepeated(1, *found[1]));
+  EXPECT_FALSE(found[2].has_value());
 }
 
 TEST(GuidedRuns, InputsThatMustBeOffAndWordsThatMatter) {
