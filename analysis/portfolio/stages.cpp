@@ -71,9 +71,7 @@ class Stages {
   /// Bounds prove and show nothing: what waits for a timer and is wrong is often found by a moment's random runs.
   void runBeforeBounds() {
     Techniques runs = options_.techniques;
-    for (const TechniqueInfo& info : techniqueTable()) {
-      if (info.id != Technique::LongSimulation) runs.leaveOut(info.id);
-    }
+    runs.keepOnly({Technique::LongSimulation});
     if (!runs.has(Technique::LongSimulation) || !options_.techniques.has(Technique::Bounds)) return;
     raceBriefly(runs, schedule::runsBeforeBounds);
   }

@@ -57,16 +57,40 @@ void QuestionSearch::askWithoutEstimates(std::size_t question, const std::vector
     alike.push_back(q);
   }
   if (alike.empty()) return;
-  std::atomic<bool> cancel{false};
-  const ProofWatch::Guard guard(watch_, cancel);
-  PortfolioOptions together = portfolio(left(), deadline_, &cancel);
-  if (!isOfMany_) together.effort = Effort::Together;  // each has its own time behind it
-  std::vector<QuestionAnswer> answers = answerQuestions(system, alike, together);
+  std::vector<QuestionAnswer> answers = isOfMany_ ? runsOf(system, alike) : answeredTogether(system, alike);
   const bool isCutOff = !mayGoOn();  // then the next question asks those left again
   for (const std::size_t q : alike) {
     if (answers[q].answer != Answer::Unknown) withoutEstimates_.emplace(q, std::move(answers[q]));
     if (answers[q].answer != Answer::Unknown || !isCutOff) triedTogether_.insert(q);
   }
+}
+
+/// Each has its own time behind it.
+std::vector<QuestionAnswer> QuestionSearch::answeredTogether(const TransitionSystem& system, const Questions& alike) {
+  std::atomic<bool> cancel{false};
+  const ProofWatch::Guard guard(watch_, cancel);
+  PortfolioOptions together = portfolio(left(), deadline_, &cancel);
+  together.effort = Effort::Together;
+  return answerQuestions(system, alike, together);
+}
+
+/// A run is an answer here and a proof is none: random runs for all, then a short search for each that is left.
+std::vector<QuestionAnswer> QuestionSearch::runsOf(const TransitionSystem& system, const Questions& alike) {
+  std::atomic<bool> cancel{false};
+  const ProofWatch::Guard guard(watch_, cancel);
+  PortfolioOptions random = portfolio(left(), deadline_, &cancel), bounded = random;
+  random.techniques.keepOnly({Technique::FirstScan, Technique::Simulation});
+  std::vector<QuestionAnswer> answers = answerQuestions(system, alike, random);
+  Questions open;
+  for (const std::size_t q : alike) {
+    if (answers[q].answer == Answer::Unknown) open.push_back(q);
+  }
+  if (open.empty() || !mayGoOn()) return answers;
+  bounded.techniques.keepOnly({Technique::FirstScan, Technique::Bmc});
+  bounded.seconds = std::min(bounded.seconds, schedule::withoutEstimatesSeconds);
+  std::vector<QuestionAnswer> found = answerQuestions(system, open, bounded);
+  for (const std::size_t q : open) answers[q] = std::move(found[q]);
+  return answers;
 }
 
 }  // namespace rungproof

@@ -10,9 +10,7 @@ std::optional<QuestionSearch::Found> QuestionSearch::heldRun(std::size_t questio
   std::atomic<bool> cancel{false};
   const ProofWatch::Guard guard(watch_, cancel);
   PortfolioOptions options = portfolio(std::min(left(), schedule::ruleHeldSeconds), deadline_, &cancel);
-  for (const TechniqueInfo& info : techniqueTable()) {
-    if (info.id != Technique::HeldInputs) options.techniques.leaveOut(info.id);
-  }
+  options.techniques.keepOnly({Technique::HeldInputs});
   if (!options.techniques.has(Technique::HeldInputs)) return std::nullopt;
   QuestionAnswer answer = answerQuestions(system, options)[0];
   if (answer.answer != Answer::Violated) return std::nullopt;

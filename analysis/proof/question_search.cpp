@@ -353,10 +353,10 @@ QuestionSearch::Found QuestionSearch::race(std::size_t question) {
       PortfolioOptions options = portfolio(left(), deadline_, &cancelFast);
       options.jobs = 1;
       options.check = false;
-      if (isOfMany_) {  // only runs count here, and the time is short
-        for (const Technique technique : {Technique::KInduction, Technique::WordIc3})
-          options.techniques.leaveOut(technique);
-      }
+      // Only runs count here, and the time is short.
+      if (isOfMany_)
+        options.techniques.keepOnly(
+            {Technique::Simulation, Technique::Bmc, Technique::LongSimulation, Technique::HeldInputs});
       options.log = nullptr;
       TechniqueTurn turn(&log_, Technique::Accelerated, 1);
       QuestionAnswer answer = answerQuestions(*accelerated, options)[0];
@@ -373,7 +373,11 @@ QuestionSearch::Found QuestionSearch::race(std::size_t question) {
     const double pause = std::min(schedule::exploringPause, left() * schedule::exploringPauseShare);
     exploring.emplace(*exploration_, question, deadline_, pause, [&] { cancelExact = cancelFast = true; });
   }
-  QuestionAnswer answer = answerQuestions(exact, portfolio(std::max(left(), 0.0), deadline_, &cancelExact))[0];
+  // For a rule the engines have raced while all were looked at, and as long as they might here.
+  const bool hasRaced = isOfMany_ && !isWritten && quick_[question].answer == Answer::Unknown;
+  QuestionAnswer answer = hasRaced
+                              ? quick_[question]
+                              : answerQuestions(exact, portfolio(std::max(left(), 0.0), deadline_, &cancelExact))[0];
   if (answer.answer != Answer::Unknown) cancelFast = true;
   if (fast.joinable()) fast.join();
   const bool isExplored = exploring && exploring->end() && !witness;
@@ -382,7 +386,8 @@ QuestionSearch::Found QuestionSearch::race(std::size_t question) {
   if (exploring) log_.add(Technique::Exploration, {1, isExplored ? 1U : 0U, exploring->seconds()});
   if (fastAnswer && !witness && question >= goals_.size()) {
     witness = replayed(*relaxed, *accelerated, question, *fastAnswer->trace);
-    if (!witness && answer.answer == Answer::Unknown && mayGoOn()) answer = ask(exact, left(), deadline_)[0];
+    if (!witness && !hasRaced && answer.answer == Answer::Unknown && mayGoOn())
+      answer = ask(exact, left(), deadline_)[0];
   }
   if (witness) {
     answer.method = isExplored ? "exploration" : "accelerated search";

@@ -111,6 +111,8 @@ class QuestionSearch {
   std::vector<Node> estimatesOf(std::size_t question);
   bool searchWithoutEstimates(std::size_t question, QuestionAnswer& answer, std::optional<Witness>& witness);
   void askWithoutEstimates(std::size_t question, const std::vector<Node>& estimates, const TransitionSystem& system);
+  std::vector<QuestionAnswer> answeredTogether(const TransitionSystem& system, const Questions& alike);
+  std::vector<QuestionAnswer> runsOf(const TransitionSystem& system, const Questions& alike);
   Found search(std::size_t question, Answer known);
   Found race(std::size_t question);
   std::optional<Found> heldRun(std::size_t question, const TransitionSystem& system);

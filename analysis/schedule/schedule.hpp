@@ -16,6 +16,7 @@
   ROW(double, ruleSeconds, 2, "s", "for a question of a rule in lint: there are hundreds of them") \
   ROW(double, ruleProcessorSeconds, 0.12, "s", "of the processor for each search for such an answer, after all have been looked at together") \
   ROW(double, ruleHeldSeconds, 0.12, "s", "of these for runs with held inputs, which find what waits for long counts") \
+  ROW(double, withoutEstimatesSeconds, 0.02, "s", "for bounded search for a run that rests on no estimate, where random runs show none") \
   ROW(double, rulesShare, 0.75, "of lint --prove", "for all rules but those about power-up, which need a run of their own") \
   ROW(double, premiseSeconds, 5, "s", "for a question that a verdict is checked with, such as its premise") \
   ROW(double, quickSeconds, 0.5, "s", "for each question while all are looked at together") \

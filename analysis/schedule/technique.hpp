@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <initializer_list>
 #include <mutex>
 #include <span>
 #include <string_view>
@@ -61,6 +62,12 @@ class Techniques {
  public:
   bool has(Technique technique) const { return (off_ >> static_cast<unsigned>(technique) & 1U) == 0; }
   void leaveOut(Technique technique) { off_ |= 1U << static_cast<unsigned>(technique); }
+  /// Leaves out all but these; those that are off stay so.
+  void keepOnly(std::initializer_list<Technique> kept) {
+    std::uint32_t others = ~0U;
+    for (const Technique technique : kept) others &= ~(1U << static_cast<unsigned>(technique));
+    off_ |= others;
+  }
 
  private:
   static_assert(techniqueCount <= 32);
