@@ -79,6 +79,14 @@ TEST(Techniques, NoneLeavesEverythingOpen) {
 }
 
 // Somebody has settled what is settled.
+TEST(Techniques, AreKeptOnlyWhereTheyAreOn) {
+  Techniques techniques;
+  techniques.leaveOut(Technique::Bmc);
+  techniques.keepOnly({Technique::Bmc, Technique::Simulation});
+  for (const TechniqueInfo& technique : techniqueTable())
+    EXPECT_EQ(techniques.has(technique.id), technique.id == Technique::Simulation) << technique.name;
+}
+
 TEST(Techniques, AreCounted) {
   const ProgramInput input = inputOf("//@ prove follows: Q0.0 implies I0.0\n//@ reach on: Q0.0\n",
                                      "Network 1\nLD I0.0\nO Q0.0\nA I0.0\n= Q0.0\n");
