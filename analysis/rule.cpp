@@ -53,6 +53,37 @@ bool sameId(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return upper(x) == upper(y); });
 }
 
+std::pair<std::uint32_t, std::uint32_t> startOf(Span span) { return {span.file, span.offset}; }
+
+/// Whether each span begins where the one before has ended, or further on.
+bool followsIn(Span before, Span span) {
+  return before.file < span.file || (before.file == span.file && before.offset + before.length <= span.offset);
+}
+bool isWithin(Span outer, Span span) {
+  return span.file == outer.file && span.offset >= outer.offset &&
+         span.offset + span.length <= outer.offset + outer.length;
+}
+
+bool holdsStart(Span outer, Span span) {
+  return outer.file == span.file && span.offset >= outer.offset && span.offset < outer.offset + outer.length;
+}
+
+/// Whether blocks and networks stand in the text in the order of the program, as in statement lists.
+bool isInOrder(const Program& program) {
+  const Span* block = nullptr;
+  for (const Pou& pou : program.pous) {
+    if (block != nullptr && !followsIn(*block, pou.span)) return false;
+    block = &pou.span;
+    const Span* before = nullptr;
+    for (const Network& network : pou.networks) {
+      if (network.form != Form::Stl || !isWithin(pou.span, network.span)) return false;
+      if (before != nullptr && !followsIn(*before, network.span)) return false;
+      before = &network.span;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 std::span<const RuleGroup> ruleGroups() { return groups; }
@@ -85,12 +116,17 @@ std::string_view needsName(Needs needs) {
   }
 }
 
-PlaceIndex::PlaceIndex(const Program& program) {
-  std::size_t networks = 0;
-  for (const Pou& pou : program.pous) networks += pou.networks.size();
-  networks_.reserve(networks);
+PlaceIndex::PlaceIndex(const Program& program) : isInOrder_(isInOrder(program)) {
+  for (const Pou& pou : program.pous) pous_.push_back({pou.span, {&pou, nullptr}});
+  if (!isInOrder_) listNetworks(program);
+  const auto byPlace = [](const Entry& a, const Entry& b) { return startOf(a.span) < startOf(b.span); };
+  for (std::vector<Entry>* entries : {&pous_, &networks_}) {
+    if (!std::ranges::is_sorted(*entries, byPlace)) std::ranges::sort(*entries, byPlace);
+  }
+}
+
+void PlaceIndex::listNetworks(const Program& program) {
   for (const Pou& pou : program.pous) {
-    pous_.push_back({pou.span, {&pou, nullptr}});
     for (const Network& network : pou.networks) {
       networks_.push_back({network.span, {&pou, &network}});
       if (network.form == Form::Stl) continue;
@@ -99,28 +135,23 @@ PlaceIndex::PlaceIndex(const Program& program) {
         networks_.push_back({instruction.span, {&pou, &network}});
     }
   }
-  const auto byPlace = [](const Entry& a, const Entry& b) {
-    return std::pair(a.span.file, a.span.offset) < std::pair(b.span.file, b.span.offset);
-  };
-  for (std::vector<Entry>* entries : {&pous_, &networks_}) {
-    if (!std::ranges::is_sorted(*entries, byPlace)) std::ranges::sort(*entries, byPlace);
-  }
 }
 
-const PlaceIndex::Entry* PlaceIndex::containing(const std::vector<Entry>& entries, Span span) const {
-  const auto after = std::upper_bound(entries.begin(), entries.end(), span, [](const Span& s, const Entry& entry) {
-    return std::pair(s.file, s.offset) < std::pair(entry.span.file, entry.span.offset);
-  });
-  if (after == entries.begin()) return nullptr;
-  const Entry& entry = *(after - 1);
-  const bool inside = entry.span.file == span.file && span.offset < entry.span.offset + entry.span.length;
-  return inside ? &entry : nullptr;
+const PlaceIndex::Entry* PlaceIndex::containing(const std::vector<Entry>& entries, Span span) {
+  const auto after =
+      std::ranges::upper_bound(entries, startOf(span), {}, [](const Entry& entry) { return startOf(entry.span); });
+  return after != entries.begin() && holdsStart((after - 1)->span, span) ? &*(after - 1) : nullptr;
 }
 
 ProgramPlace PlaceIndex::at(Span span) const {
   if (const Entry* entry = containing(networks_, span)) return entry->place;
-  if (const Entry* entry = containing(pous_, span)) return entry->place;
-  return {};
+  const Entry* const entry = containing(pous_, span);
+  if (entry == nullptr || !isInOrder_) return entry == nullptr ? ProgramPlace{} : entry->place;
+  const std::vector<Network>& networks = entry->place.pou->networks;
+  const auto after = std::ranges::upper_bound(networks, startOf(span), {},
+                                              [](const Network& network) { return startOf(network.span); });
+  const bool isInNetwork = after != networks.begin() && holdsStart((after - 1)->span, span);
+  return {entry->place.pou, isInNetwork ? &*(after - 1) : nullptr};
 }
 
 void PlaceIndex::complete(Finding& finding) const {

@@ -177,9 +177,13 @@ class PlaceIndex {
     Span span;
     ProgramPlace place;
   };
-  const Entry* containing(const std::vector<Entry>& entries, Span span) const;
+  static const Entry* containing(const std::vector<Entry>& entries, Span span);
+  void listNetworks(const Program& program);
   std::vector<Entry> pous_;
+  /// Of programs whose networks do not stand one behind the other, each within its block; those of all others are found
+  /// in Pou::networks.
   std::vector<Entry> networks_;
+  bool isInOrder_ = false;
 };
 
 /// Where rules put what they found. Sets rule, severity, confirmation, block and network; the rule gives the rest.

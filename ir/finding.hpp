@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
+#include "ir/shared.hpp"
 #include "ir/short_text.hpp"
 #include "ir/source.hpp"
 
@@ -39,7 +39,7 @@ struct Finding {
   ShortText message;  ///< one sentence, names the operand or instruction it is about
   ShortText help;     ///< what to do; may be empty
   std::vector<RelatedPlace> related;
-  std::optional<Fix> fix;
+  Shared<Fix> fix;    ///< null: none that is known
   ShortText pou;      ///< name of the block, empty outside blocks
   ShortText address;  ///< the operand concerned, canonical spelling, or empty
   ShortText trace;    ///< file or inline id of the trace that shows it, or empty

@@ -1,5 +1,6 @@
 // Source texts and places in them. A place is a byte range of one file; line and column are computed on
-// demand from the file's line table, so that a token costs twelve bytes and nothing else.
+// demand from the file's line table, so that a token costs twelve bytes and nothing else. The table has the start of
+// every fourth line: those between are found in the text.
 #pragma once
 
 #include <cstdint>
@@ -37,13 +38,17 @@ class SourceFile {
   Position position(std::uint32_t offset) const;
   /// The line with that number (from 1) without its line end; empty beyond the last line.
   std::string_view line(std::uint32_t number) const;
-  std::uint32_t lineCount() const { return static_cast<std::uint32_t>(lineStarts_.size()); }
-  std::uint32_t lineStart(std::uint32_t number) const { return lineStarts_[number - 1]; }
+  std::uint32_t lineCount() const { return lineCount_; }
+  std::uint32_t lineStart(std::uint32_t number) const;
 
  private:
+  /// Start of the line behind the one that holds this place; beyond the text if that is the last one.
+  std::uint32_t nextLine(std::uint32_t offset) const;
+
   std::string name_;
   std::string text_;
-  std::vector<std::uint32_t> lineStarts_;
+  std::uint32_t lineCount_ = 0;
+  std::vector<std::uint32_t> marks_;  ///< starts of line 1 and of each markEvery-th behind it
 };
 
 /// All files of one run; spans index into it. Files are never removed, so references stay valid.

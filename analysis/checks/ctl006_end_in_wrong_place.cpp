@@ -52,7 +52,7 @@ void checkPlace(const Facts& facts, FindingSink& sink, const InstructionPlace& p
                                                     : "use END in the main program (error 0083, 001:13985)";
   }
   if (control == Control::Stop && (facts.stack().at(instruction.id).flow & condition::Always) != 0 &&
-      facts.execution().at(instruction.id).isReachable && !facts.execution().at(instruction.id).isSkipped() &&
+      facts.execution().at(instruction.id).isReachable && !facts.execution().at(instruction.id).isSkipped &&
       pou.kind == PouKind::Main) {
     sink.report(instruction.span, "STOP runs in the first scan, whatever the inputs are").help =
         "put the condition for the stop in front of it (001:5691)";

@@ -98,7 +98,7 @@ void checkHsp004(const Facts& facts, FindingSink& sink) {
     if (facts.calls().reachedFromInterrupt(place.block) && !facts.calls().reachedFromMain(place.block)) continue;
     if (endsItself(facts, place) || facts.hasUnreadCode()) continue;
     const bool isAlways = (facts.stack().at(instruction.id).flow & condition::Always) != 0 &&
-                          !facts.execution().at(instruction.id).isSkipped() &&
+                          !facts.execution().at(instruction.id).isSkipped &&
                           facts.execution().runs(place.block) == Runs::Once;
     Finding& finding =
         sink.report(instruction.span, fmt::format("{} runs in every scan{}: {}", Facts::text(instruction),

@@ -17,7 +17,7 @@ std::string whyLeftOut(const Facts& facts, const CallInputs& inputs, const Instr
   const InstructionPlace& place = facts.place(call.id);
   const ExecutionPoint& point = facts.execution().at(call.id);
   const Pou& block = facts.program().pous[place.block];
-  if (point.isSkipped()) return fmt::format("{} may leave it out", Facts::text(facts.instruction(point.skipper)));
+  if (point.isSkipped) return fmt::format("{} may leave it out", Facts::text(*facts.skippedBy(call.id)));
   if (block.kind == PouKind::Interrupt) return fmt::format("{} runs only at its event", block.name);
   const Condition known = inputs.enable(call);
   if ((known & condition::FirstScan) != 0) return "it runs in the first scan only";
@@ -50,7 +50,7 @@ void checkLib001(const Facts& facts, FindingSink& sink) {
       const bool isOften = (inputs.enable(*call.call) & condition::Always) != 0 &&
                            facts.execution().runs(facts.blockOf(call.call->id)) == Runs::Once &&
                            facts.execution().condition(facts.blockOf(call.call->id)) == 0 &&
-                           !facts.execution().at(call.call->id).isSkipped();
+                           !facts.execution().at(call.call->id).isSkipped;
       if (isOften)
         report(fmt::format("{} runs in every scan; it is to run once", call.name),
                "put SM0.1 or an edge in front of it");

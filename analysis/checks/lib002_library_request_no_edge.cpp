@@ -89,8 +89,8 @@ void checkPairs(const Facts& facts, FindingSink& sink, const CallInputs& inputs,
     if (isNew) continue;
     const Instruction& other = *found->second->call;
     const bool areBothEnabled = (inputs.enable(*call.call) & inputs.enable(other) & condition::Always) != 0;
-    const bool mayBeLeftOut = facts.execution().at(call.call->id).isSkipped() ||
-                              facts.execution().at(other.id).isSkipped() ||
+    const bool mayBeLeftOut = facts.execution().at(call.call->id).isSkipped ||
+                              facts.execution().at(other.id).isSkipped ||
                               facts.blockOf(call.call->id) != facts.blockOf(other.id);
     if (!areBothEnabled || mayBeLeftOut) continue;
     Finding& finding = sink.report(

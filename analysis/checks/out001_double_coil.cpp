@@ -20,7 +20,7 @@ constexpr std::size_t mostRelated = 8;
 /// Whether the instruction runs in every scan.
 bool runsAlways(const Facts& facts, std::uint32_t id) {
   const ExecutionPoint& point = facts.execution().at(id);
-  return point.isReachable && !point.isSkipped() && facts.execution().runs(facts.blockOf(id)) == Runs::Once;
+  return point.isReachable && !point.isSkipped && facts.execution().runs(facts.blockOf(id)) == Runs::Once;
 }
 
 /// Whether jumps and block ends let a scan run one of them at most.

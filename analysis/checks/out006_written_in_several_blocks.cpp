@@ -244,7 +244,7 @@ struct Sharers {
   bool runTogether(const Facts& facts) const {
     const auto always = std::count_if(firsts.begin(), firsts.end(), [&](const Access* access) {
       const ExecutionPoint& point = facts.execution().at(access->instruction);
-      return !point.isSkipped() && !access->conditional &&
+      return !point.isSkipped && !access->conditional &&
              facts.execution().runs(facts.blockOf(access->instruction)) == Runs::Once;
     });
     return always >= 2;

@@ -24,7 +24,7 @@ std::string reasonSkipped(const Facts& facts, const Instruction& call, const Ins
   const std::uint32_t block = facts.blockOf(call.id);
   const ExecutionPoint& point = facts.execution().at(call.id);
   if (!point.isReachable || isStartUpOnly(facts, block) || facts.execution().runs(block) == Runs::Never) return {};
-  if (point.isSkipped()) {
+  if (point.isSkipped) {
     cause = facts.skippedBy(call.id);
     return fmt::format("{} may leave it out", Facts::text(*cause));
   }

@@ -19,7 +19,7 @@ bool isCertain(const Facts& facts, std::uint32_t block) {
   for (const std::uint32_t s : facts.calls().callsOf(block)) {
     const CallSite& site = facts.calls().sites()[s];
     const std::uint32_t id = site.instruction->id;
-    const bool isAlways = (facts.stack().at(id).flow & condition::Always) != 0 && !facts.execution().at(id).isSkipped();
+    const bool isAlways = (facts.stack().at(id).flow & condition::Always) != 0 && !facts.execution().at(id).isSkipped;
     const Runs runs = facts.execution().runs(site.caller);
     if (isAlways && facts.execution().at(id).isReachable && (runs == Runs::Once || runs == Runs::Several))
       certain += facts.execution().at(id).inLoop ? 2 : 1;

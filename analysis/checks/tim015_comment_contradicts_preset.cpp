@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 
 #include "analysis/comment/duration_text.hpp"
 #include "analysis/flow/facts.hpp"
@@ -50,19 +51,14 @@ bool isDirective(std::string_view text) { return text.starts_with("//@") || text
 
 class Comparison {
  public:
-  Comparison(const Facts& facts, FindingSink& sink) : facts_(facts), sink_(sink) {
-    for (const InstructionPlace& place : facts.placesOf([](const Desc& desc) {
-           return desc.role == Role::Ton || desc.role == Role::Tof || desc.role == Role::Tonr;
-         })) {
-      const Instruction& instruction = *place.instruction;
-      const Role role = roleOf(instruction);
-      if ((role != Role::Ton && role != Role::Tof && role != Role::Tonr) || instruction.operands.size() < 2) continue;
-      const Operand &timer = instruction.operands[0], &preset = instruction.operands[1];
-      const int resolution = timer.kind == OperandKind::Direct ? timerResolution(static_cast<int>(timer.offset)) : 0;
-      if (resolution == 0) continue;
-      TimerPlace& row = timers_.emplace_back(TimerPlace{&instruction, timer.offset, resolution, std::nullopt});
-      if (preset.kind == OperandKind::Constant) row.presetUs = preset.value * resolution * 1000;
-    }
+  Comparison(const Facts& facts, FindingSink& sink)
+      : facts_(facts), sink_(sink), timers_(facts.idsOf([](const Desc& desc) {
+          return desc.role == Role::Ton || desc.role == Role::Tof || desc.role == Role::Tonr;
+        })) {
+    std::erase_if(timers_, [&](std::uint32_t id) {
+      const Operands& operands = facts.instruction(id).operands;
+      return operands.size() < 2 || operands[0].kind != OperandKind::Direct || resolutionOf(operands[0]) == 0;
+    });
   }
 
   void run() {
@@ -71,48 +67,58 @@ class Comparison {
       for (const Comment& comment : pou.comments) ofBlock(comment);
       for (const Network& network : pou.networks) ofNetwork(network);
     }
-    for (const TimerPlace& timer : timers_) {
-      const Symbol* symbol = facts_.symbolOf(timer.instruction->operands[0]);
+    for (const std::uint32_t id : timers_) {
+      const Symbol* symbol = facts_.symbolOf(facts_.instruction(id).operands[0]);
       if (symbol == nullptr) continue;
+      const TimerPlace timer = timerAt(id);
       judge(timer, durationsInName(symbol->name), fmt::format("its name {}", symbol->name), timer.instruction->span);
       judge(timer, durationsIn(symbol->comment), "the comment of its symbol", timer.instruction->span);
     }
   }
 
  private:
+  static int resolutionOf(const Operand& timer) { return timerResolution(static_cast<int>(timer.offset)); }
+  TimerPlace timerAt(std::uint32_t id) const {
+    const Instruction& box = facts_.instruction(id);
+    const Operand &timer = box.operands[0], &preset = box.operands[1];
+    TimerPlace place{&box, timer.offset, resolutionOf(timer), std::nullopt};
+    if (preset.kind == OperandKind::Constant) place.presetUs = preset.value * place.resolutionMs * 1000;
+    return place;
+  }
+
   /// The list of timers in the head of a block: one timer a line.
   void ofBlock(const Comment& comment) {
     const std::string_view text = facts_.program().sources->text(comment.span);
     if (isDirective(text)) return;
     const auto named = timersIn(text);
     if (named.size() != 1) return;
-    for (const TimerPlace& timer : timers_) {
+    for (const std::uint32_t id : timers_) {
+      const TimerPlace timer = timerAt(id);
       if (timer.number == named.front().first) judge(timer, durationsIn(text), "the head of the block", comment.span);
     }
   }
 
   void ofNetwork(const Network& network) {
     if (network.instructions.empty()) return;
-    std::vector<const TimerPlace*> here;
-    const auto idOf = [](const TimerPlace& timer) { return timer.instruction->id; };
-    const auto first = std::ranges::lower_bound(timers_, network.instructions.front().id, {}, idOf);
-    for (auto timer = first; timer != timers_.end() && idOf(*timer) <= network.instructions.back().id; ++timer)
-      here.push_back(&*timer);
+    std::vector<TimerPlace> here;
+    const auto first = std::ranges::lower_bound(timers_, network.instructions.front().id);
+    for (auto id = first; id != timers_.end() && *id <= network.instructions.back().id; ++id)
+      here.push_back(timerAt(*id));
     if (here.empty()) return;
     const SourceSet& sources = *facts_.program().sources;
     for (const Comment& comment : network.comments) {
       const auto line = sources.position(comment.span).line;
-      const auto beside = std::ranges::find_if(here, [&](const TimerPlace* timer) {
-        return timer->instruction->span.file == comment.span.file &&
-               sources.position(timer->instruction->span).line == line;
+      const auto beside = std::ranges::find_if(here, [&](const TimerPlace& timer) {
+        return timer.instruction->span.file == comment.span.file &&
+               sources.position(timer.instruction->span).line == line;
       });
-      ofText(sources.text(comment.span), here, beside == here.end() ? nullptr : *beside, comment.span);
+      ofText(sources.text(comment.span), here, beside == here.end() ? nullptr : &*beside, comment.span);
     }
-    ofText(network.title, here, nullptr, here.front()->instruction->span);
+    ofText(network.title, here, nullptr, here.front().instruction->span);
   }
 
   /// A comment in a network with these timers; `beside`: it stands on the line of that one.
-  void ofText(std::string_view text, const std::vector<const TimerPlace*>& here, const TimerPlace* beside, Span span) {
+  void ofText(std::string_view text, std::span<const TimerPlace> here, const TimerPlace* beside, Span span) {
     const std::vector<WrittenDuration> durations = durationsIn(text);
     if (durations.empty() || isDirective(text)) return;
     const auto named = timersIn(text);
@@ -121,7 +127,7 @@ class Comparison {
       if (beside != nullptr)
         judge(*beside, durations, "the comment", span);
       else if (here.size() == 1 && claims <= 1)
-        judge(*here.front(), durations, "the comment", span);
+        judge(here.front(), durations, "the comment", span);
       return;
     }
     for (std::size_t i = 0; i < named.size(); ++i) {
@@ -130,8 +136,8 @@ class Comparison {
       std::vector<WrittenDuration> own;
       std::ranges::copy_if(durations, std::back_inserter(own),
                            [&](const WrittenDuration& d) { return from <= d.offset && d.offset < to; });
-      for (const TimerPlace* timer : here) {
-        if (timer->number == named[i].first) judge(*timer, own, "the comment", span);
+      for (const TimerPlace& timer : here) {
+        if (timer.number == named[i].first) judge(timer, own, "the comment", span);
       }
     }
   }
@@ -176,7 +182,7 @@ class Comparison {
 
   const Facts& facts_;
   FindingSink& sink_;
-  std::vector<TimerPlace> timers_;
+  std::vector<std::uint32_t> timers_;  ///< ids of their boxes
   std::set<std::pair<std::uint32_t, std::string>> reported_;
 };
 

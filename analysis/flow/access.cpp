@@ -278,16 +278,17 @@ class AccessCollector {
 
 AccessTable::AccessTable(const Program& program, const Plan& plan) {
   const std::size_t count = program.instructionCount();
-  accesses_.reserve(count * 2);
-  first_.reserve(count + 1);
+  accesses_.reserve(count * 2 + 1);
+  marks_.reserve(count / markEvery + 1);
   AccessCollector collector(program, accesses_);
   for (const Flow& flow : plan.flows) {
     for (const FlowStep& step : flow.steps) {
-      first_.resize(step.id() + 1, static_cast<std::uint32_t>(accesses_.size()));
+      marks_.resize(step.id() / markEvery + 1, static_cast<std::uint32_t>(accesses_.size()));
       collector.collect(flow, step);
     }
   }
-  first_.resize(count + 1, static_cast<std::uint32_t>(accesses_.size()));
+  marks_.resize(count / markEvery + 1, static_cast<std::uint32_t>(accesses_.size()));
+  accesses_.emplace_back().instruction = std::numeric_limits<std::uint32_t>::max();
 }
 
 std::optional<int> constantCount(const Operand& operand) {

@@ -54,20 +54,25 @@ struct Access {
   std::uint32_t possibleLength() const { return length(most); }
 };
 
-/// All accesses of a program in program order.
+/// All accesses of a program in program order. Where those of an instruction begin is marked for every fourth one.
 class AccessTable {
  public:
   AccessTable(const Program& program, const Plan& plan);
 
-  std::span<const Access> all() const { return accesses_; }
+  std::span<const Access> all() const { return std::span(accesses_).first(accesses_.size() - 1); }
   /// Accesses of the instruction with that id.
   std::span<const Access> of(std::uint32_t instruction) const {
-    return std::span(accesses_).subspan(first_[instruction], first_[instruction + 1] - first_[instruction]);
+    const Access* first = accesses_.data() + marks_[instruction / markEvery];
+    while (first->instruction < instruction) ++first;
+    const Access* last = first;
+    while (last->instruction == instruction) ++last;
+    return {first, last};
   }
 
  private:
-  std::vector<Access> accesses_;
-  std::vector<std::uint32_t> first_;  ///< by instruction id; one more at the end
+  static constexpr std::uint32_t markEvery = 4;
+  std::vector<Access> accesses_;      ///< one more at the end, of no instruction
+  std::vector<std::uint32_t> marks_;  ///< where the accesses of each markEvery-th instruction begin
 };
 
 /// Number of a constant count operand (N of S, R, BMB, FILL ...: a byte), or nothing if it comes from memory.

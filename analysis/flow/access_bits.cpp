@@ -7,7 +7,7 @@
 
 namespace rungproof {
 
-BitWrites::BitWrites(const AccessTable& table, const CellMap& cells, std::span<const std::uint32_t> blockOf) {
+BitWrites::BitWrites(const AccessTable& table, const CellMap& cells, const BlockRow& blockOf) {
   first_.assign(cells.size() + 1, 0);
   const auto eachBit = [&](const Access& a, auto visit) {
     if (!a.write || a.viaPointer || a.width != Width::Bit || a.byNumber() || a.bit > 7) return;

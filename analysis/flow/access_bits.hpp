@@ -12,7 +12,7 @@ namespace rungproof {
 
 class BitWrites {
  public:
-  BitWrites(const AccessTable& table, const CellMap& cells, std::span<const std::uint32_t> blockOf);
+  BitWrites(const AccessTable& table, const CellMap& cells, const BlockRow& blockOf);
 
   /// Number of bits: eight for each cell; bit `key` is bit key % 8 of cell key / 8.
   std::uint32_t size() const { return static_cast<std::uint32_t>(first_.size() - 1) * 8; }

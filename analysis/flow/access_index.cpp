@@ -58,8 +58,7 @@ void eachCell(const CellMap& cells, const Access& access, std::uint32_t block, s
 
 }  // namespace
 
-AccessIndex::AccessIndex(const Program& program, const AccessTable& table, std::span<const std::uint32_t> blockOf)
-    : cells_(program) {
+AccessIndex::AccessIndex(const Program& program, const AccessTable& table, const BlockRow& blockOf) : cells_(program) {
   first_.assign(cells_.size() + 1, 0);
   const auto isNarrow = [](const Access& a) { return !a.viaPointer && a.certainLength() <= longest; };
   const std::span<const Access> all = table.all();
@@ -93,7 +92,7 @@ AccessIndex::AccessIndex(const Program& program, const AccessTable& table, std::
 }
 
 /// Accesses are collected as the farthest end per start cell and spread in one sweep.
-void AccessIndex::cover(const AccessTable& table, std::span<const std::uint32_t> blockOf, bool writes, Cover marks) {
+void AccessIndex::cover(const AccessTable& table, const BlockRow& blockOf, bool writes, Cover marks) {
   std::vector<std::uint32_t> end(cells_.size(), 0), endAtLarge(cells_.size(), 0);
   for (const Access& a : table.all()) {
     if (a.viaPointer || (a.write != writes && !a.maybe)) continue;

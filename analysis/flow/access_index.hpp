@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/flow/access.hpp"
+#include "analysis/flow/block_row.hpp"
 #include "ir/block_map.hpp"
 
 namespace rungproof {
@@ -50,7 +51,7 @@ class AccessIndex {
  public:
   static constexpr std::uint32_t longest = 40;
 
-  AccessIndex(const Program& program, const AccessTable& table, std::span<const std::uint32_t> blockOf);
+  AccessIndex(const Program& program, const AccessTable& table, const BlockRow& blockOf);
 
   const CellMap& cells() const { return cells_; }
   /// Indices in AccessTable::all() of the accesses that touch the cell, in program order.
@@ -71,7 +72,7 @@ class AccessIndex {
   struct Cover {
     std::vector<std::uint8_t>*any, *atLarge;
   };
-  void cover(const AccessTable& table, std::span<const std::uint32_t> blockOf, bool writes, Cover marks);
+  void cover(const AccessTable& table, const BlockRow& blockOf, bool writes, Cover marks);
   void coverPointers(const Program& program, const AccessTable& table);
 
   CellMap cells_;

@@ -2,8 +2,10 @@
 #include "analysis/flow/execution.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "analysis/flow/statement_paths.hpp"
+#include "ir/check.hpp"
 #include "ir/s7300/block.hpp"
 
 namespace rungproof {
@@ -88,15 +90,20 @@ void ExecutionTable::sweep(const Flow& flow, const StackRun& stack) {
   const auto end = static_cast<std::uint32_t>(flow.steps.size());
   std::vector<std::int32_t> loops(end + 1, 0);
   std::uint32_t skipEnd = 0;
-  std::uint32_t skipper = ExecutionPoint::noSkipper;
+  bool isNew = false;  // nothing is left out yet by the last one that may
+  std::uint32_t skipper = 0;
   for (std::uint32_t i = 0; i < end; ++i) {
     const FlowStep& step = flow.steps[i];
     const Instruction& instruction = *step.instruction;
-    if (i < skipEnd) points_[instruction.id].skipper = skipper;
+    if (i < skipEnd) {
+      points_[instruction.id].isSkipped = true;
+      if (std::exchange(isNew, false)) skipped_.push_back({instruction.id, skipper});
+    }
     const auto skipTo = [&](std::uint32_t target) {
       if (target <= skipEnd) return;
       skipEnd = target;
       skipper = instruction.id;
+      isNew = true;
     };
     switch (instruction.desc->control) {
       case Control::BlockEnd: skipTo(end); break;
@@ -135,6 +142,12 @@ void ExecutionTable::sweep(const Flow& flow, const StackRun& stack) {
     depth += loops[i];
     points_[flow.steps[i].instruction->id].inLoop = depth > 0;
   }
+}
+
+std::uint32_t ExecutionTable::skipper(std::uint32_t instruction) const {
+  const auto behind = std::ranges::upper_bound(skipped_, instruction, {}, &Skipped::first);
+  CHECK(behind != skipped_.begin(), "an instruction that nothing leaves out");
+  return (behind - 1)->skipper;
 }
 
 /// A jump over code that is taken but for one scan, or but for the first one, as in `LDN SM0.1; JMP`.
@@ -199,7 +212,7 @@ void ExecutionTable::count(const Program& program, const CallGraph& calls, const
         possible[site.callee] = std::min(possible[site.callee] + times * possible[block], 1000);
         const bool isAlwaysCalled =
             (flow & condition::Always) != 0 || statementRole(*site.instruction) == StatementRole::Call;
-        if (isAlwaysCalled && !point.isSkipped()) certain[site.callee] += certain[block];
+        if (isAlwaysCalled && !point.isSkipped) certain[site.callee] += certain[block];
         Condition known = flow | point.within | conditions_[block];
         known &= condition::FirstScan | condition::Pulse;
         conditions_[site.callee] =

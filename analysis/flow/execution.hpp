@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "analysis/flow/call_graph.hpp"
@@ -16,14 +15,10 @@ namespace rungproof {
 enum class Runs : std::uint8_t { Never, AtMostOnce, Once, Several };
 
 struct ExecutionPoint {
-  bool isReachable = true;  ///< some path from the start of its block leads here
-  bool inLoop = false;      ///< between FOR and NEXT, or between a label and a jump back to it
-  Condition within = 0;     ///< what the jumps and returns around it leave: FirstScan, Pulse
-  /// Instruction::id of the JMP, LSCR, CRET ... that may leave it out in a scan.
-  std::uint32_t skipper = noSkipper;
-
-  static constexpr std::uint32_t noSkipper = std::numeric_limits<std::uint32_t>::max();
-  bool isSkipped() const { return skipper != noSkipper; }
+  bool isReachable : 1 = true;  ///< some path from the start of its block leads here
+  bool inLoop : 1 = false;      ///< between FOR and NEXT, or between a label and a jump back to it
+  bool isSkipped : 1 = false;   ///< some JMP, LSCR, CRET ... may leave it out in a scan
+  Condition within = 0;         ///< what the jumps and returns around it leave: FirstScan, Pulse
 };
 
 class ExecutionTable {
@@ -31,6 +26,8 @@ class ExecutionTable {
   ExecutionTable(const Program& program, const Plan& plan, const CallGraph& calls, const StackRun& stack);
 
   const ExecutionPoint& at(std::uint32_t instruction) const { return points_[instruction]; }
+  /// Instruction::id of what may leave this one out in a scan; asked only where something may.
+  std::uint32_t skipper(std::uint32_t instruction) const;
   /// How often the block runs in a scan, called from the main program; interrupt routines: AtMostOnce per event.
   Runs runs(std::uint32_t block) const { return runs_[block]; }
   /// What is known about every run of the block: FirstScan, Pulse (only for single scans, or as an interrupt).
@@ -42,7 +39,13 @@ class ExecutionTable {
   void narrow(const Flow& flow, const StackRun& stack);
   void count(const Program& program, const CallGraph& calls, const StackRun& stack);
 
+  /// Instructions from `first` on, as far as they are skipped, are so by `skipper`.
+  struct Skipped {
+    std::uint32_t first, skipper;
+  };
+
   std::vector<ExecutionPoint> points_;
+  std::vector<Skipped> skipped_;  ///< in program order
   std::vector<Runs> runs_;
   std::vector<Condition> conditions_;
 };

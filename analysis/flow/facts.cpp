@@ -31,8 +31,7 @@ Facts::Facts(const Program& program, std::span<const ExternalRange> externals, S
       externals_(externals.begin(), externals.end()),
       plan_(program),
       accesses_(program, plan_),
-      blocks_(blocksOf(plan_)),
-      firstOf_(firstsOf(plan_)),
+      blocks_(plan_),
       index_(program, accesses_, blocks_),
       bits_(accesses_, index_.cells(), blocks_),
       calls_(program, plan_),
@@ -65,25 +64,7 @@ bool Facts::hasUnreadCode(const Pou& block) const {
          std::ranges::any_of(block.networks, [](const Network& network) { return !network.complete; });
 }
 
-std::vector<std::uint32_t> Facts::firstsOf(const Plan& plan) {
-  std::vector<std::uint32_t> firsts;
-  std::uint32_t next = 0;
-  for (const Flow& flow : plan.flows) {
-    firsts.push_back(next);
-    next += static_cast<std::uint32_t>(flow.steps.size());
-  }
-  return firsts;
-}
-
-std::vector<std::uint32_t> Facts::blocksOf(const Plan& plan) {
-  std::vector<std::uint32_t> blocks;
-  blocks.reserve(plan.program->instructionCount());
-  for (std::uint32_t block = 0; block < plan.flows.size(); ++block)
-    blocks.insert(blocks.end(), plan.flows[block].steps.size(), block);
-  return blocks;
-}
-
-std::vector<InstructionPlace> Facts::placesIn(std::span<const std::vector<std::uint32_t>* const> rows) const {
+std::vector<std::uint32_t> Facts::idsIn(std::span<const std::vector<std::uint32_t>* const> rows) {
   std::vector<std::uint32_t> ids;
   std::vector<std::ptrdiff_t> starts{0};
   for (const std::vector<std::uint32_t>* row : rows) {
@@ -96,6 +77,10 @@ std::vector<InstructionPlace> Facts::placesIn(std::span<const std::vector<std::u
                          ids.begin() + starts[std::min(i + 2 * width, rows.size())]);
     }
   }
+  return ids;
+}
+
+std::vector<InstructionPlace> Facts::placesOfIds(std::span<const std::uint32_t> ids) const {
   std::vector<InstructionPlace> found;
   found.reserve(ids.size());
   for (const std::uint32_t id : ids) found.push_back(place(id));
@@ -169,6 +154,10 @@ void Facts::collectBoxes() {
     if (o.kind != OperandKind::Direct || o.offset >= 256) continue;
     (isTimerBox(role) ? timers_ : counters_)[o.offset].push_back(instruction.id);
   }
+  for (auto& [_, ids] : users_) ids.shrink_to_fit();
+  for (auto* rows : {&timers_, &counters_})
+    for (std::vector<std::uint32_t>& ids : *rows) ids.shrink_to_fit();
+  for (std::vector<std::uint32_t>& ids : withOperand_) ids.shrink_to_fit();
 }
 
 void Facts::collectSymbols() {

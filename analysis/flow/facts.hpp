@@ -18,6 +18,7 @@
 #include "analysis/flow/access.hpp"
 #include "analysis/flow/access_bits.hpp"
 #include "analysis/flow/access_index.hpp"
+#include "analysis/flow/block_row.hpp"
 #include "analysis/flow/call_graph.hpp"
 #include "analysis/flow/execution.hpp"
 #include "analysis/flow/stack_depth.hpp"
@@ -99,16 +100,20 @@ class Facts {
 
   /// All instructions in program order, which is that of Instruction::id.
   InstructionRow instructions() const { return InstructionRow(plan_.flows); }
-  std::uint32_t instructionCount() const { return static_cast<std::uint32_t>(blocks_.size()); }
+  std::uint32_t instructionCount() const { return blocks_.instructionCount(); }
   /// Those of the instructions whose descriptor fits, in program order, without a look at the others: for rules that
   /// speak of few.
   template <class Fits>
   std::vector<InstructionPlace> placesOf(Fits fits) const {
+    return placesOfIds(idsOf(fits));
+  }
+  template <class Fits>
+  std::vector<std::uint32_t> idsOf(Fits fits) const {
     std::vector<const std::vector<std::uint32_t>*> rows;
     for (const auto& [desc, users] : users_) {
       if (fits(*desc)) rows.push_back(&users);
     }
-    return placesIn(rows);
+    return idsIn(rows);
   }
   std::vector<InstructionPlace> placesOf(Role role) const {
     return placesOf([role](const Desc& desc) { return desc.role == role; });
@@ -121,8 +126,9 @@ class Facts {
   /// Without a look at the instruction.
   Role roleAt(std::uint32_t id) const { return roles_[id]; }
   InstructionPlace place(std::uint32_t id) const {
-    const FlowStep& step = stepOf(id);
-    return {step.instruction, blocks_[id], id - firstOf_[blocks_[id]], step.network};
+    const std::uint32_t block = blocks_[id], at = id - blocks_.first(block);
+    const FlowStep& step = plan_.flows[block].steps[at];
+    return {step.instruction, block, at, step.network};
   }
   const Pou& pouOf(std::uint32_t id) const { return program_.pous[blocks_[id]]; }
   const Network& networkOf(std::uint32_t id) const { return pouOf(id).networks[stepOf(id).network]; }
@@ -139,10 +145,9 @@ class Facts {
   const StackRun& stack() const { return stack_; }
   const ExecutionTable& execution() const { return execution_; }
   const PointerTable& pointers() const { return *pointers_; }
-  /// What may leave the instruction out in a scan, or nullptr (ExecutionPoint::skipper).
+  /// What may leave the instruction out in a scan (ExecutionTable::skipper), or nullptr.
   const Instruction* skippedBy(std::uint32_t id) const {
-    const ExecutionPoint& point = execution_.at(id);
-    return point.isSkipped() ? &instruction(point.skipper) : nullptr;
+    return execution_.at(id).isSkipped ? &instruction(execution_.skipper(id)) : nullptr;
   }
 
   /// Whether some code is not visible: protected blocks, networks that could not be read. Rules that speak of
@@ -194,13 +199,12 @@ class Facts {
   static std::string text(const Instruction& instruction);
 
  private:
-  /// Of all the ids in ascending rows, in program order.
-  std::vector<InstructionPlace> placesIn(std::span<const std::vector<std::uint32_t>* const> rows) const;
-  static std::vector<std::uint32_t> blocksOf(const Plan& plan);
-  static std::vector<std::uint32_t> firstsOf(const Plan& plan);
+  /// All the ids in ascending rows, in program order.
+  static std::vector<std::uint32_t> idsIn(std::span<const std::vector<std::uint32_t>* const> rows);
+  std::vector<InstructionPlace> placesOfIds(std::span<const std::uint32_t> ids) const;
   const FlowStep& stepOf(std::uint32_t id) const {
     const std::uint32_t block = blocks_[id];
-    return plan_.flows[block].steps[id - firstOf_[block]];
+    return plan_.flows[block].steps[id - blocks_.first(block)];
   }
   void findPulses();
   void collectBoxes();
@@ -217,8 +221,7 @@ class Facts {
   std::array<std::vector<std::uint32_t>, 7> withOperand_;              ///< by OperandKind
   std::vector<Role> roles_;                                            ///< by Instruction::id
   AccessTable accesses_;
-  std::vector<std::uint32_t> blocks_;   ///< by Instruction::id
-  std::vector<std::uint32_t> firstOf_;  ///< by block: id of its first instruction
+  BlockRow blocks_;
   AccessIndex index_;
   BitWrites bits_;
   std::vector<std::uint8_t> writers_, readers_;

@@ -43,7 +43,7 @@ class PulseFinder {
   bool runsOnce(const InstructionPlace& place) const {
     const ExecutionPoint& point = facts_.execution().at(place.instruction->id);
     return facts_.program().pous[place.block].kind == PouKind::Main && point.isReachable && !point.inLoop &&
-           !point.isSkipped() && !facts_.isUnread(place.instruction->id);
+           !point.isSkipped && !facts_.isUnread(place.instruction->id);
   }
   Condition flowOf(const InstructionPlace& place) const { return facts_.stack().at(place.instruction->id).flow; }
   std::uint32_t noKey() const { return facts_.bits().size(); }

@@ -201,7 +201,7 @@ class ConflictFinder {
     return !asksItself(access);
   }
   bool runsAlways(std::uint32_t id) const {
-    return (facts_.stack().at(id).flow & condition::Always) != 0 && !facts_.execution().at(id).isSkipped() &&
+    return (facts_.stack().at(id).flow & condition::Always) != 0 && !facts_.execution().at(id).isSkipped &&
            facts_.execution().runs(facts_.blockOf(id)) == Runs::Once;
   }
   /// Whether contacts in front of it in its network look at the place: it is limited or acknowledged.

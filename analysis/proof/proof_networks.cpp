@@ -120,7 +120,7 @@ class UseWalk {
       for (const Access& access : facts_.accesses().of(id)) {
         if (!access.write || access.maybe) followWriters(access, id, part.block);
       }
-      if (const ExecutionPoint& point = facts_.execution().at(id); point.isSkipped()) add(point.skipper);
+      if (facts_.execution().at(id).isSkipped) add(facts_.execution().skipper(id));
     }
     // A subroutine runs because it is called, and what a call hands back its routine has made.
     for (const std::uint32_t site : facts_.calls().callsOf(part.block))

@@ -384,7 +384,11 @@ void ReportMerger::add(const Report& part) {
     for (Finding finding : from) {
       finding.span.file = places[finding.span.file];
       for (RelatedPlace& related : finding.related) related.span.file = places[related.span.file];
-      if (finding.fix) finding.fix->span.file = places[finding.fix->span.file];
+      if (finding.fix) {
+        Fix fix = *finding.fix;
+        fix.span.file = places[fix.span.file];
+        finding.fix = Shared<Fix>(std::move(fix));
+      }
       to.push_back(std::move(finding));
     }
   };

@@ -2,6 +2,7 @@
 #include "frontend/stl/stl_lexer.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace rungproof {
 
@@ -66,6 +67,15 @@ bool looksLikeBanner(std::string_view rest) {
   return other >= 4;
 }
 
+/// The bytes that stand in words only: most of a text.
+constexpr std::array<bool, 256> plainBytes = [] {
+  std::array<bool, 256> plain{};
+  for (const char c : std::string_view("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._"))
+    plain[static_cast<unsigned char>(c)] = true;
+  return plain;
+}();
+constexpr bool isPlain(char c) { return plainBytes[static_cast<unsigned char>(c)]; }
+
 }  // namespace
 
 bool StlLexer::nextRaw(std::uint32_t& begin, std::uint32_t& end) {
@@ -113,6 +123,12 @@ bool StlLexer::next(Line& line) {
   bool atStatementEnd = false;
   while (i < size && text_[i] != '\n') {
     const char c = text_[i];
+    if (isPlain(c)) {
+      if (wordBegin == std::string_view::npos) wordBegin = i;
+      while (++i < size && isPlain(text_[i])) {
+      }
+      continue;
+    }
     if (c == '/' && i + 1 < size && text_[i + 1] == '/') {
       finishWord(i);
       const std::size_t newline = std::min(text_.find('\n', i), size);

@@ -148,10 +148,10 @@ StatementKind StatementReader::read(const Line& line, Instruction& instruction) 
   instruction.mnemonicLength = mnemonic.length;
   instruction.span = sink_.span(first.begin, pieces_.empty() ? mnemonicEnd : std::max(mnemonicEnd, pieces_.back().end));
   instruction.operands.clear();
-  instruction.operands.reserve(pieces_.size());
+  instruction.operands.resize(pieces_.size());
   bool isReadable = true;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    if (!readPiece(pieces_[i], desc, i, instruction.operands.emplace_back())) isReadable = false;
+    if (!readPiece(pieces_[i], desc, i, instruction.operands[i])) isReadable = false;
   }
   return isReadable ? kind : StatementKind::Failed;
 }

@@ -52,7 +52,7 @@ void SyntaxSink::report(Syntax code, Span span, std::string message, std::option
   Finding* finding = add(row.id, row.severity, span, std::move(message));
   if (finding == nullptr) return;
   finding->help = row.help;
-  finding->fix = std::move(fix);
+  if (fix) finding->fix = Shared<Fix>(std::move(*fix));
 }
 
 void SyntaxSink::lookAlike(Span span, std::string_view written, std::string meant) {
@@ -61,7 +61,7 @@ void SyntaxSink::lookAlike(Span span, std::string_view written, std::string mean
   if (finding == nullptr) return;
   finding->help = "replace the characters";
   finding->address = meant;
-  finding->fix = Fix{span, std::move(meant), true};
+  finding->fix = Shared<Fix>({span, std::move(meant), true});
 }
 
 void SyntaxSink::lenient(Span span, std::string_view written, std::string meant) {

@@ -83,7 +83,8 @@ Excerpt excerptOf(const SourceFile& file, Span span, std::uint32_t lineNumber) {
   Excerpt excerpt;
   excerpt.lineNumber = lineNumber;
   const std::string_view line = file.line(excerpt.lineNumber);
-  const std::size_t start = std::min<std::size_t>(span.offset - file.lineStart(excerpt.lineNumber), line.size());
+  const auto lineStart = static_cast<std::size_t>(line.data() - file.text().data());
+  const std::size_t start = std::min<std::size_t>(span.offset - lineStart, line.size());
   const std::size_t stop = std::min<std::size_t>(start + span.length, line.size());
 
   if (isPlain(line)) {

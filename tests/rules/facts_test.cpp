@@ -16,6 +16,57 @@ TEST(LibraryBlock, NamesHaveADigit) {
   EXPECT_EQ(libraryBlockNamed("MOTOR"), nullptr);
 }
 
+/// Long blocks, short ones and empty ones: each instruction has the place that a walk over the program gives it.
+TEST(Facts, KnowThePlaceOfEachInstruction) {
+  std::string text = "LD I0.0\n= Q0.0\nMEND\n";
+  for (int block = 0; block < 60; ++block) {
+    text += "SBR " + std::to_string(block) + "\n";
+    for (int i = 0; i < block * block % 150; ++i) text += i % 3 == 0 ? "LD I0.1\n" : "A M0.0\n";
+    if (block % 7 != 0) text += "RET\n";
+  }
+  const Linted linted(text);
+  const Facts& facts = *linted.facts;
+  std::uint32_t id = 0;
+  for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
+    for (const Network& network : facts.program().pous[block].networks) {
+      for (const Instruction& instruction : network.instructions) {
+        const InstructionPlace place = facts.place(id);
+        ASSERT_EQ(place.instruction, &instruction);
+        ASSERT_EQ(place.block, block);
+        ASSERT_EQ(&facts.networkOf(id), &network);
+        ASSERT_EQ(facts.plan().flows[block].steps[place.step].instruction, &instruction);
+        for (const Access& access : facts.accesses().of(id)) ASSERT_EQ(access.instruction, id);
+        ++id;
+      }
+    }
+  }
+  EXPECT_EQ(facts.instructionCount(), id);
+  std::size_t accesses = 0;
+  while (id > 0) accesses += facts.accesses().of(--id).size();
+  EXPECT_EQ(accesses, facts.accesses().all().size());
+}
+
+TEST(PlaceIndex, FindsBlockAndNetworkOfEachByte) {
+  const Linted linted(
+      "// before\nNetwork 1\nLD I0.0\n= Q0.0\n\nNetwork 2 // two\nLD I0.1\n= Q0.1\nMEND\n// between\nSBR 1\n// "
+      "head\nNetwork 1\nLD I0.2\n= Q0.2\nRET\nSBR 2\nRET\n// behind\n");
+  const PlaceIndex index(linted.program);
+  const auto holds = [](const Span& span, std::uint32_t at) {
+    return at >= span.offset && at < span.offset + span.length;
+  };
+  for (std::uint32_t at = 0; at < linted.program.sources->file(0).text().size() + 2; ++at) {
+    ProgramPlace expected;
+    for (const Pou& pou : linted.program.pous) {
+      if (holds(pou.span, at)) expected.pou = &pou;
+      for (const Network& network : pou.networks)
+        if (holds(network.span, at)) expected.network = &network;
+    }
+    const ProgramPlace found = index.at({0, at, 1});
+    ASSERT_EQ(found.pou, expected.pou) << at;
+    ASSERT_EQ(found.network, expected.network) << at;
+  }
+}
+
 TEST(CallGraph, CountsLevelsAndFindsCycles) {
   const Linted linted("LD SM0.0\nCALL 1\nMEND\nSBR 1\nCALL 2\nRET\nSBR 2\nCALL 3\nRET\nSBR 3\nCALL 2\nRET\n");
   const CallGraph& calls = linted.facts->calls();
@@ -35,9 +86,9 @@ TEST(Execution, FollowsConstantConditions) {
   const ExecutionTable& execution = linted.facts->execution();
   EXPECT_FALSE(execution.at(3).isReachable);
   EXPECT_TRUE(execution.at(8).isReachable);
-  ASSERT_TRUE(execution.at(8).isSkipped());
-  EXPECT_EQ(execution.at(8).skipper, 6U);
-  EXPECT_FALSE(execution.at(4 + 1).isSkipped());
+  ASSERT_TRUE(execution.at(8).isSkipped);
+  EXPECT_EQ(execution.skipper(8), 6U);
+  EXPECT_FALSE(execution.at(4 + 1).isSkipped);
 }
 
 TEST(Execution, CountsCallsPerScan) {

@@ -1,0 +1,48 @@
+// Lines of source texts, of which the table has every fourth only: against a plain walk over the text.
+#include "ir/source.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rungproof {
+namespace {
+
+void expectEveryPlace(const std::string& text) {
+  const SourceFile file("x", text);
+  std::uint32_t line = 1, column = 1, start = 0;
+  for (std::uint32_t i = 0; i <= text.size(); ++i) {
+    ASSERT_EQ(file.position(i).line, line) << i;
+    ASSERT_EQ(file.position(i).column, column) << i;
+    ASSERT_EQ(file.lineStart(line), start) << i;
+    if (i < text.size() && text[i] == '\n') {
+      ASSERT_EQ(file.line(line), text.substr(start, i - start));
+      ++line;
+      column = 1;
+      start = i + 1;
+    } else {
+      ++column;
+    }
+  }
+  EXPECT_EQ(file.line(line), text.substr(start));
+  EXPECT_EQ(file.lineCount(), line);
+  EXPECT_TRUE(file.line(line + 1).empty() && file.line(0).empty());
+  EXPECT_EQ(file.position(static_cast<std::uint32_t>(text.size()) + 9).line, line);
+}
+
+TEST(SourceFile, FindsLinesBetweenItsMarks) {
+  std::string text;
+  for (int lines = 0; lines < 40; ++lines) {
+    expectEveryPlace(text);
+    expectEveryPlace(text + "no end");
+    text += std::string(static_cast<std::size_t>(lines % 5), 'a') + "\n";
+  }
+}
+
+TEST(SourceFile, CountsCharactersAndLeavesOutLineEnds) {
+  const SourceFile file("x", "LD I0.0\r\n\xC3\xA4\xC3\xB6 x\r\n");
+  EXPECT_EQ(file.line(1), "LD I0.0");
+  EXPECT_EQ(file.line(2), "\xC3\xA4\xC3\xB6 x");
+  EXPECT_EQ(file.position(14).column, 4U);
+}
+
+}  // namespace
+}  // namespace rungproof
