@@ -74,7 +74,7 @@ constexpr std::array<bool, 256> plainBytes = [] {
     plain[static_cast<unsigned char>(c)] = true;
   return plain;
 }();
-constexpr bool isPlain(char c) { return plainBytes[static_cast<unsigned char>(c)]; }
+constexpr bool isPlainByte(char c) { return plainBytes[static_cast<unsigned char>(c)]; }
 
 }  // namespace
 
@@ -123,9 +123,9 @@ bool StlLexer::next(Line& line) {
   bool atStatementEnd = false;
   while (i < size && text_[i] != '\n') {
     const char c = text_[i];
-    if (isPlain(c)) {
+    if (isPlainByte(c)) {
       if (wordBegin == std::string_view::npos) wordBegin = i;
-      while (++i < size && isPlain(text_[i])) {
+      while (++i < size && isPlainByte(text_[i])) {
       }
       continue;
     }
