@@ -55,29 +55,25 @@ bool sameId(std::string_view a, std::string_view b) {
 
 std::pair<std::uint32_t, std::uint32_t> startOf(Span span) { return {span.file, span.offset}; }
 
-/// Whether each span begins where the one before has ended, or further on.
-bool followsIn(Span before, Span span) {
+/// Whether a span begins where the one before it ends, or further on.
+bool comesAfter(Span before, Span span) {
   return before.file < span.file || (before.file == span.file && before.offset + before.length <= span.offset);
 }
-bool isWithin(Span outer, Span span) {
+bool liesIn(Span outer, Span span) {
   return span.file == outer.file && span.offset >= outer.offset &&
          span.offset + span.length <= outer.offset + outer.length;
-}
-
-bool holdsStart(Span outer, Span span) {
-  return outer.file == span.file && span.offset >= outer.offset && span.offset < outer.offset + outer.length;
 }
 
 /// Whether blocks and networks stand in the text in the order of the program, as in statement lists.
 bool isInOrder(const Program& program) {
   const Span* block = nullptr;
   for (const Pou& pou : program.pous) {
-    if (block != nullptr && !followsIn(*block, pou.span)) return false;
+    if (block != nullptr && !comesAfter(*block, pou.span)) return false;
     block = &pou.span;
     const Span* before = nullptr;
     for (const Network& network : pou.networks) {
-      if (network.form != Form::Stl || !isWithin(pou.span, network.span)) return false;
-      if (before != nullptr && !followsIn(*before, network.span)) return false;
+      if (network.form != Form::Stl || !liesIn(pou.span, network.span)) return false;
+      if (before != nullptr && !comesAfter(*before, network.span)) return false;
       before = &network.span;
     }
   }
@@ -140,7 +136,7 @@ void PlaceIndex::listNetworks(const Program& program) {
 const PlaceIndex::Entry* PlaceIndex::containing(const std::vector<Entry>& entries, Span span) {
   const auto after =
       std::ranges::upper_bound(entries, startOf(span), {}, [](const Entry& entry) { return startOf(entry.span); });
-  return after != entries.begin() && holdsStart((after - 1)->span, span) ? &*(after - 1) : nullptr;
+  return after != entries.begin() && span.beginsIn((after - 1)->span) ? &*(after - 1) : nullptr;
 }
 
 ProgramPlace PlaceIndex::at(Span span) const {
@@ -150,7 +146,7 @@ ProgramPlace PlaceIndex::at(Span span) const {
   const std::vector<Network>& networks = entry->place.pou->networks;
   const auto after = std::ranges::upper_bound(networks, startOf(span), {},
                                               [](const Network& network) { return startOf(network.span); });
-  const bool isInNetwork = after != networks.begin() && holdsStart((after - 1)->span, span);
+  const bool isInNetwork = after != networks.begin() && span.beginsIn((after - 1)->span);
   return {entry->place.pou, isInNetwork ? &*(after - 1) : nullptr};
 }
 

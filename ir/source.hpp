@@ -17,6 +17,11 @@ struct Span {
   std::uint32_t offset = 0;
   std::uint32_t length = 0;
 
+  /// Whether its first byte lies within another span.
+  bool beginsIn(Span outer) const {
+    return file == outer.file && offset >= outer.offset && offset < outer.offset + outer.length;
+  }
+
   friend bool operator==(const Span&, const Span&) = default;
 };
 

@@ -154,10 +154,13 @@ void Facts::collectBoxes() {
     if (o.kind != OperandKind::Direct || o.offset >= 256) continue;
     (isTimerBox(role) ? timers_ : counters_)[o.offset].push_back(instruction.id);
   }
+  const auto shrink = [](auto& rows) {
+    for (std::vector<std::uint32_t>& ids : rows) ids.shrink_to_fit();
+  };
+  shrink(timers_);
+  shrink(counters_);
+  shrink(withOperand_);
   for (auto& [_, ids] : users_) ids.shrink_to_fit();
-  for (auto* rows : {&timers_, &counters_})
-    for (std::vector<std::uint32_t>& ids : *rows) ids.shrink_to_fit();
-  for (std::vector<std::uint32_t>& ids : withOperand_) ids.shrink_to_fit();
 }
 
 void Facts::collectSymbols() {

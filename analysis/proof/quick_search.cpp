@@ -124,7 +124,7 @@ void QuestionSearch::searchOnEngine(Wanted&& wanted, std::uint64_t instructions,
   for (const std::size_t q : open) goals.push_back(&goals_[q]);
   if (options_.bound > 0 || watch_.isStopped()) return;
   if (!options_.techniques.has(Technique::EngineRuns)) return;
-  TechniqueTurn turn(&log_, Technique::EngineRuns, open.size() - watched.size());
+  TechniqueTurn turn(&log_, Technique::EngineRuns, open.size());
   std::vector<std::optional<Witness>> found = guidedRuns(
       program_, exact_->askedProperties().encoding(), assumptions_, goals, options_.seed,
       {std::min(options_.timeout * schedule::engineShare, schedule::engineSeconds), instructions, watched.size()});

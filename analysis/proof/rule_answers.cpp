@@ -94,15 +94,11 @@ Finding joinedFinding(const ProofRow& group) {
   return finding;
 }
 
-bool isWithin(const Span& inner, const Span& outer) {
-  return inner.file == outer.file && inner.offset >= outer.offset && inner.offset < outer.offset + outer.length;
-}
-
 bool isAbout(const Finding& finding, const ProofResult& result) {
   if (!result.builtin || finding.rule != result.builtin->rule->id || result.builtin->place == nullptr) return false;
   const bool isSameAddress = finding.confirmation == Confirmation::NotNeeded && !finding.address.empty() &&
                              finding.address == result.builtin->address;
-  return isSameAddress || isWithin(finding.span, result.builtin->place->span);
+  return isSameAddress || finding.span.beginsIn(result.builtin->place->span);
 }
 
 /// A declared property that fails, as a finding at its statement.

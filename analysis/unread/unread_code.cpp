@@ -89,12 +89,9 @@ class UnreadCode::Collector {
     constexpr std::string_view ofDeclarations[] = {"SYN042", "SYN043", "SYN051"};  // frontend/stl/syntax_message.cpp
     if (finding.network != 0 || std::ranges::find(ofDeclarations, finding.rule) == std::end(ofDeclarations))
       return false;
-    const Span span = finding.span;
     for (std::uint32_t block = 0; isStep7(program_.target) && block < program_.pous.size(); ++block) {
       const Pou& pou = program_.pous[block];
-      const bool isWithin = pou.span.file == span.file && pou.span.offset <= span.offset &&
-                            span.offset < pou.span.offset + pou.span.length;
-      if (!isWithin || (pou.type != BlockType::Fc && pou.type != BlockType::Fb)) continue;
+      if (!finding.span.beginsIn(pou.span) || (pou.type != BlockType::Fc && pou.type != BlockType::Fb)) continue;
       const auto isInstance = [&](int block7) { return pou.type == BlockType::Fb && block7 == pou.number; };
       const bool hasData = std::ranges::any_of(program_.dataBlocks, isInstance, &DataBlock::instanceOf);
       const bool isInside = std::ranges::any_of(program_.pous, [&](const Pou& other) {

@@ -16,11 +16,6 @@ namespace rungproof {
 
 namespace {
 
-bool isInside(const Network& network, const Finding& finding) {
-  const Span& n = network.span;
-  return n.file == finding.span.file && finding.span.offset >= n.offset && finding.span.offset < n.offset + n.length;
-}
-
 std::string commentText(std::string_view text) {
   if (text.starts_with("//"))
     text.remove_prefix(2);
@@ -68,10 +63,7 @@ std::vector<StatementRow> statementRows(const Program& program, const Network& n
       }
     }
     for (const Finding* finding : options.findings) {
-      const bool isHere = finding->span.file == instruction.span.file &&
-                          finding->span.offset >= instruction.span.offset &&
-                          finding->span.offset < instruction.span.offset + instruction.span.length;
-      if (isHere && row.marks.find(finding->rule) == std::string::npos)
+      if (finding->span.beginsIn(instruction.span) && row.marks.find(finding->rule) == std::string::npos)
         row.marks += (row.marks.empty() ? "^" : " ") + finding->rule;
     }
     rows.push_back(std::move(row));
@@ -129,7 +121,7 @@ NetworkView networkView(const Program& program, const Pou& pou, const Network& n
     if (text != network.title) view.comments.push_back(std::move(text));
   }
   ViewOptions own = options;
-  std::erase_if(own.findings, [&](const Finding* finding) { return !isInside(network, *finding); });
+  std::erase_if(own.findings, [&](const Finding* finding) { return !finding->span.beginsIn(network.span); });
   for (const Finding* finding : own.findings)
     view.notes.push_back({finding->severity, fmt::format("{}: {}", finding->rule, finding->message)});
   view.notExecuted =

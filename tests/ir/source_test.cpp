@@ -28,6 +28,15 @@ void expectEveryPlace(const std::string& text) {
   EXPECT_EQ(file.position(static_cast<std::uint32_t>(text.size()) + 9).line, line);
 }
 
+TEST(Span, BeginsInAnother) {
+  const Span outer{1, 10, 5};
+  EXPECT_TRUE((Span{1, 10, 0}.beginsIn(outer)));
+  EXPECT_TRUE((Span{1, 14, 9}.beginsIn(outer)));
+  EXPECT_FALSE((Span{1, 9, 9}.beginsIn(outer)));
+  EXPECT_FALSE((Span{1, 15, 0}.beginsIn(outer)));
+  EXPECT_FALSE((Span{0, 12, 1}.beginsIn(outer)));
+}
+
 TEST(SourceFile, FindsLinesBetweenItsMarks) {
   std::string text;
   for (int lines = 0; lines < 40; ++lines) {

@@ -78,7 +78,6 @@ TEST(Techniques, NoneLeavesEverythingOpen) {
   for (const TechniqueUse& use : run.techniques) EXPECT_EQ(use.asked, 0U);
 }
 
-// Somebody has settled what is settled.
 TEST(Techniques, AreKeptOnlyWhereTheyAreOn) {
   Techniques techniques;
   techniques.leaveOut(Technique::Bmc);
@@ -87,6 +86,7 @@ TEST(Techniques, AreKeptOnlyWhereTheyAreOn) {
     EXPECT_EQ(techniques.has(technique.id), technique.id == Technique::Simulation) << technique.name;
 }
 
+// Somebody has settled what is settled.
 TEST(Techniques, AreCounted) {
   const ProgramInput input = inputOf("//@ prove follows: Q0.0 implies I0.0\n//@ reach on: Q0.0\n",
                                      "Network 1\nLD I0.0\nO Q0.0\nA I0.0\n= Q0.0\n");

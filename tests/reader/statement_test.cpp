@@ -99,7 +99,7 @@ TEST(Statement, FixOfALookAlikeReplacesTheOperand) {
   const Program program = readLines("LD 10, 1");
   ASSERT_EQ(program.findings.size(), 1U);
   const Finding& finding = program.findings[0];
-  ASSERT_FALSE(finding.fix == nullptr);
+  ASSERT_NE(finding.fix, nullptr);
   EXPECT_EQ(finding.fix->replacement, "I0.1");
   EXPECT_EQ(program.sources->text(finding.fix->span), "10, 1");
   EXPECT_TRUE(finding.fix->safe);
