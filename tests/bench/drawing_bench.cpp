@@ -5,12 +5,13 @@
 #include "frontend/input/project.hpp"
 #include "frontend/picture/network_view.hpp"
 #include "tests/bench/long_program.hpp"
+#include "tests/rules/lint.hpp"
 
 namespace rungproof::testing {
 namespace {
 
 void draw(benchmark::State& state, Form form, bool svg) {
-  const Program program = readText("long.awl", longProgram(5000));
+  const Program program = readText("long.awl", test::longProgram(5000));
   std::size_t networks = 0;
   for (auto _ : state) {
     std::vector<BlockView> blocks;

@@ -3,12 +3,13 @@
 #include <benchmark/benchmark.h>
 
 #include "tests/bench/long_program.hpp"
+#include "tests/bench/read_and_lint.hpp"
 
 namespace rungproof::testing {
 namespace {
 
 void lint(benchmark::State& state) {
-  const std::string text = longProgram(static_cast<int>(state.range(0)));
+  const std::string text = test::longProgram(static_cast<int>(state.range(0)));
   std::size_t instructions = 0;
   for (auto _ : state) {
     instructions += readAndLint(text);

@@ -1,12 +1,9 @@
-// A long program, and the work whose cost is measured on it: reading, building the facts, every rule. Used by
-// tests/rules/scale_test.cpp and the benchmark.
+// A long program for measurements. Used by tests/rules/scale_test.cpp, tests/timing and the benchmark.
 #pragma once
 
 #include <string>
 
-#include "tests/rules/lint.hpp"
-
-namespace rungproof::testing {
+namespace rungproof::test {
 
 /// A program of about `count` instructions: rungs with branches, timers, moves, comparisons, latches, steps and calls.
 inline std::string longProgram(int count) {
@@ -50,18 +47,4 @@ inline std::string longProgram(int count) {
   return text + "END_ORGANIZATION_BLOCK\n";
 }
 
-/// Reads the text and runs every rule that needs no solver; number of instructions.
-inline std::size_t readAndLint(const std::string& text) {
-  const Program program = readText("long.awl", text);
-  const Facts facts(program);
-  const RuleSettings settings;
-  FindingSink sink(program, settings);
-  for (const Rule* rule : allRules()) {
-    if (rule->check == nullptr || !knows(*rule, program.target)) continue;
-    sink.begin(*rule);
-    rule->check(facts, sink);
-  }
-  return program.instructionCount();
-}
-
-}  // namespace rungproof::testing
+}  // namespace rungproof::test

@@ -1,9 +1,10 @@
 // Cost of linting: reading, facts and all rules over a long program, in processor time at the pace of a quiet machine.
-// Ten times the instructions leave the caches of a small machine and may cost thirty times the time (what grows with the
-// square of the length costs a hundred times); 100,000 take half a second.
+// Ten times the instructions leave the caches of a small machine and may cost thirty times the time (what grows with
+// the square of the length costs a hundred times); 100,000 take half a second.
 #include <gtest/gtest.h>
 
 #include "tests/bench/long_program.hpp"
+#include "tests/bench/read_and_lint.hpp"
 #include "tests/machine_pace.hpp"
 #include "tests/rules/lint.hpp"
 
@@ -17,7 +18,7 @@ double secondsFor(const std::string& text) {
 }
 
 TEST(Scale, LintingIsLinear) {
-  const double small = secondsFor(longProgram(10000)), large = secondsFor(longProgram(100000));
+  const double small = secondsFor(test::longProgram(10000)), large = secondsFor(test::longProgram(100000));
   RecordProperty("milliseconds_10000", static_cast<int>(small * 1000));
   RecordProperty("milliseconds_100000", static_cast<int>(large * 1000));
   std::printf("10,000 instructions: %.0f ms; 100,000 instructions: %.0f ms\n", small * 1000, large * 1000);
