@@ -1,5 +1,5 @@
-// Calm scans: nothing but the program, inputs and the clocks has a part in them. Once machine code has run a scan of an
-// S7-200 in which no event is attached and no device works, only the reference engine can change that, or somebody
+// Calm scans: nothing but the program, inputs and the clocks has a part in them. Once machine code has run a scan in
+// which no event is attached and no device works, only the reference engine can change that, or somebody
 // outside who is looked for in front of each scan; what the CPU does around the program is then these few steps, the
 // same as in Simulator::scanInRun. A scan that machine code gives up goes on as any other does. Covered by
 // tests/compiled/calm_scans_test.cpp.
@@ -11,7 +11,7 @@ namespace rungproof {
 
 /// Of the scan that has ended: whether those to come are calm until the reference engine runs again.
 bool Simulator::becomesCalm() const {
-  if (plan_.isStep7() || outside_ != nullptr || hasFineTimers_ || touchesQueueBits_ || !isRunning()) return false;
+  if (outside_ != nullptr || hasFineTimers_ || touchesQueueBits_ || !isRunning()) return false;
   const auto areFree = [&](Reg reg) {
     for (std::uint32_t i = 0; i < store_.count(reg); ++i) {
       if (store_.get(reg, i) != 0) return false;
@@ -28,7 +28,8 @@ bool Simulator::becomesCalm() const {
 bool Simulator::staysCalm(const ScanRequest& request, std::uint32_t lengthUs) const {
   return isCalm_ && request.script == nullptr && request.events.empty() && observer_ == nullptr && forced_.empty() &&
          isRunning() && scanCount_ > referenceUntil_ && devices_.ports.areIdle(store_) &&
-         (store_.area(Area::SM)[4] & 7U) == 0 && static_cast<std::uint64_t>(lengthUs) * Cost::perUs <= longestCalm_;
+         (plan_.isStep7() || (store_.area(Area::SM)[4] & 7U) == 0) &&
+         static_cast<std::uint64_t>(lengthUs) * Cost::perUs <= longestCalm_;
 }
 
 void Simulator::beginCalmly(std::uint32_t lengthUs) {
@@ -48,8 +49,14 @@ void Simulator::endCalmly(std::uint32_t lengthUs) {
   clockMs_ = startMs_ + scanTicks_;
   now_ += lastScanUs_;
   advanceClocks(machine_, scanTicks_);
+  if (plan_.isStep7()) {
+    std::ranges::fill(store_.area(Area::L), std::uint8_t{0});
+    endScanOfTimers(machine_, scanTicks_);
+    starts_.scanEnded(lastScanUs_ / 1000);
+  } else {
+    store_.area(Area::SM)[4] &= 0x7F;
+  }
   refreshSpecialMemory(machine_, lastScanUs_ / 1000);
-  store_.area(Area::SM)[4] &= 0x7F;
   const auto& image = store_.area(Area::Q);
   std::copy_n(image.begin(), machine_.terminals() / 8, store_.terminals(Reg::PhysicalOutput).begin());
 }

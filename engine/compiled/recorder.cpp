@@ -305,6 +305,27 @@ Recorder::Bits Recorder::concat(Bits high, int highWidth, Bits low, int lowWidth
   return word(CodeOp::Join, highWidth, high, low, static_cast<std::uint64_t>(lowWidth));
 }
 
+bool Recorder::isZeroAt(Bits a, int i) const {
+  const Step& step = at(a.id);
+  switch (step.op) {
+    case CodeOp::Constant: return (step.value >> i & 1) == 0;
+    case CodeOp::FromBit: return i > 0;
+    case CodeOp::BitAnd: return isZeroAt({step.a}, i) || isZeroAt({step.b}, i);
+    case CodeOp::ShiftLeft: return known({step.b}) > static_cast<std::uint64_t>(i);
+    default: return false;
+  }
+}
+
+/// What has the same bit `i` as a byte in which single bits have been replaced.
+std::optional<Recorder::Bits> Recorder::behindPatch(Bits a, int i) const {
+  const Step& step = at(a.id);
+  const auto isOneAt = [&](ValueId id) { return at(id).op == CodeOp::Constant && !isZeroAt({id}, i); };
+  const bool isOr = step.op == CodeOp::BitOr, isAnd = step.op == CodeOp::BitAnd;
+  if (isOr ? isZeroAt({step.a}, i) : isAnd && isOneAt(step.a)) return Bits{step.b};
+  if (isOr ? isZeroAt({step.b}, i) : isAnd && isOneAt(step.b)) return Bits{step.a};
+  return std::nullopt;
+}
+
 Recorder::Bool Recorder::bit(Bits a, int i) {
   const Step step = at(a.id);
   if (step.op == CodeOp::Constant) return constant((step.value >> i & 1) != 0);
@@ -315,6 +336,9 @@ Recorder::Bool Recorder::bit(Bits a, int i) {
     return i < below ? bit({step.b}, i) : bit({step.a}, i - below);
   }
   if (const auto sum = narrowSum(a); sum && i < sum->width) return bit(word(step.op, sum->width, sum->a, sum->b), i);
+  if (const auto other = behindPatch(a, i)) return bit(*other, i);
+  if (const auto left = step.op == CodeOp::ShiftLeft ? known({step.b}) : std::nullopt; left && i < step.width)
+    return i < static_cast<int>(*left) ? constant(false) : bit({step.a}, i - static_cast<int>(*left));
   return {make({.op = CodeOp::TestBit, .width = 1, .a = a.id, .value = static_cast<std::uint64_t>(i)})};
 }
 
@@ -322,6 +346,12 @@ Recorder::Bits Recorder::fromBool(Bool a, int w) {
   a.id = resolved(a.id);
   if (a.id <= 1) return literal(a.id, w);
   return {make({.op = CodeOp::FromBit, .width = 1, .a = a.id})};
+}
+
+Recorder::Bits Recorder::freshFromBool(Bool a, int w) {
+  a.id = resolved(a.id);
+  if (a.id <= 1) return literal(a.id, w);
+  return {add({.op = CodeOp::FromBit, .width = 1, .a = a.id})};
 }
 
 Recorder::Bits Recorder::radd(Bits a, Bits b) { return word(CodeOp::RealAdd, 32, a, b); }

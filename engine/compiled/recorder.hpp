@@ -90,6 +90,8 @@ class Recorder {
   Bits concat(Bits high, int highWidth, Bits low, int lowWidth);
   Bool bit(Bits a, int i);
   Bits fromBool(Bool a, int w);
+  /// For one use only: it is cheaper to make than to keep.
+  Bits freshFromBool(Bool a, int w);
   Bits radd(Bits a, Bits b);
   Bits rsub(Bits a, Bits b);
   Bits rmul(Bits a, Bits b);
@@ -169,6 +171,8 @@ class Recorder {
   };
   std::optional<NarrowSum> narrowSum(Bits wide);
   std::optional<Bool> fits(Bits continued, Bits exact);
+  bool isZeroAt(Bits a, int i) const;
+  std::optional<Bits> behindPatch(Bits a, int i) const;
   std::optional<Row> rowOf(Machine<Recorder>& machine, Area area, Bits block);
   void reaches(Area area, std::uint32_t first, std::uint32_t count, bool isWritten);
   struct StepHash {

@@ -158,7 +158,7 @@ void Recorder::Store::saveWhole(Area area, std::uint32_t byte, int count, Bits v
 /// A bit of a byte that has no slots.
 void Recorder::Store::saveBit(Area area, std::uint32_t byte, std::uint32_t bit, Bool value) {
   const Bits others = d_.band(loadWhole(area, byte, 1), d_.literal(~(1ULL << bit), 8), 8);
-  const Bits own = d_.shl(d_.fromBool(value, 8), d_.literal(bit, 8), 8);
+  const Bits own = d_.shl(d_.freshFromBool(value, 8), d_.literal(bit, 8), 8);
   saveWhole(area, byte, 1, d_.bor(others, own, 8));
 }
 

@@ -149,8 +149,12 @@ Recording record(const Plan& plan, const Concrete::Store& model, const Instructi
   }
 }
 
-/// Bytes that are used bit by bit more than otherwise. What a computed address reaches has none.
-std::vector<SlotByte> slotsFor(const Recording& survey) {
+/// Accesses to bits of a byte from which on it pays to take it apart before the program and to put it together behind.
+constexpr std::uint32_t leastBits = 4;
+
+/// Bytes that are used bit by bit, more than otherwise. What a computed address reaches has no slots.
+std::vector<SlotByte> slotsFor(const Recording& survey, Extent extent) {
+  const std::uint32_t least = extent == Extent::WholeScan ? 1 : leastBits;  // or taken apart once for many scans
   std::vector<SlotByte> slots;
   for (std::size_t a = 0; a < areaCount; ++a) {
     std::vector<bool> isReached(survey.accesses[a].size(), false);
@@ -159,7 +163,8 @@ std::vector<SlotByte> slotsFor(const Recording& survey) {
     }
     for (std::uint32_t byte = 0; byte < survey.accesses[a].size(); ++byte) {
       const AccessCount& count = survey.accesses[a][byte];
-      if (count.bits > count.words && !isReached[byte]) slots.push_back({static_cast<Area>(a), byte});
+      if (count.bits > count.words && count.bits >= least && !isReached[byte])
+        slots.push_back({static_cast<Area>(a), byte});
     }
   }
   return slots;
@@ -173,7 +178,7 @@ Code recorded(const Plan& plan, const Concrete::Store& model, const InstructionT
   const bool isStraight = std::ranges::none_of(survey.code.steps, [](const Step& s) { return isBranch(s.op); });
   const auto isStatus = [](const Step& s) { return s.op == CodeOp::StoreMemory && s.area == Area::SM && s.value == 0; };
   const bool isAlwaysOn = !plan.isStep7() && std::ranges::none_of(survey.code.steps, isStatus);
-  return record(plan, model, times, countsTime || survey.code.hasLoops, extent, slotsFor(survey), isStraight,
+  return record(plan, model, times, countsTime || survey.code.hasLoops, extent, slotsFor(survey, extent), isStraight,
                 isAlwaysOn)
       .code;
 }

@@ -18,6 +18,23 @@ std::uint64_t alignedTo8(std::uint64_t size) { return (size + 7) / 8 * 8; }
 /// Registers that a function leaves as they were.
 const std::array<x86::Gp, 6> savedRegisters = {x86::rbx, x86::rbp, x86::r12, x86::r13, x86::r14, x86::r15};
 
+/// What a displacement of one byte reaches, and how far it reaches upwards.
+constexpr std::uint64_t shortReach = 256, shortUp = 128;
+
+/// The byte from which most of these are reached by short displacements.
+std::int32_t originFor(std::vector<std::uint64_t> bytes) {
+  std::ranges::sort(bytes);
+  std::size_t first = 0, most = 0;
+  std::uint64_t origin = 0;
+  for (std::size_t last = 0; last < bytes.size(); ++last) {
+    while (bytes[last] - bytes[first] >= shortReach) ++first;
+    if (last - first < most) continue;
+    most = last - first + 1;
+    origin = bytes[first] + shortUp;
+  }
+  return static_cast<std::int32_t>(origin);
+}
+
 }  // namespace
 
 Layout X86Emitter::layoutOf(const Code& code) {
@@ -38,18 +55,26 @@ std::vector<X86Emitter::Gp> X86Emitter::valueRegisters(const Code& code) {
   return list;
 }
 
-/// The two that most steps load from or store to.
-std::array<Area, 2> X86Emitter::busiestAreas(const Code& code, const std::vector<bool>& isNeeded) {
+/// Two of them, and around which of their bytes most steps do so.
+std::array<X86Emitter::HeldArea, 2> X86Emitter::busiestAreas(const Code& code, const std::vector<bool>& isNeeded) {
+  std::array<std::vector<std::uint64_t>, areaCount> bytes;
   std::array<std::size_t, areaCount> uses{};
   for (std::size_t i = 0; i < code.steps.size(); ++i) {
     const Step& s = code.steps[i];
     const bool isAccess =
         s.op == CodeOp::LoadMemory || s.op == CodeOp::StoreMemory || s.op == CodeOp::LoadAt || s.op == CodeOp::StoreAt;
-    if (isNeeded[i] && isAccess) ++uses[static_cast<std::size_t>(s.area)];
+    if (!isNeeded[i] || !isAccess) continue;
+    ++uses[static_cast<std::size_t>(s.area)];
+    if (s.op == CodeOp::LoadMemory || s.op == CodeOp::StoreMemory)
+      bytes[static_cast<std::size_t>(s.area)].push_back(s.value);
   }
-  const auto first = std::ranges::max_element(uses);
-  *first = 0;
-  return {static_cast<Area>(first - uses.begin()), static_cast<Area>(std::ranges::max_element(uses) - uses.begin())};
+  std::array<HeldArea, 2> held{};
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const auto busiest = static_cast<std::size_t>(std::ranges::max_element(uses) - uses.begin());
+    uses[busiest] = 0;
+    held[i] = {static_cast<Area>(busiest), {i == 0 ? x86::r13 : x86::r15, originFor(std::move(bytes[busiest]))}};
+  }
+  return held;
 }
 
 X86Emitter::X86Emitter(const Code& code, const std::vector<bool>& isNeeded, CodeHolder& holder)
@@ -60,6 +85,7 @@ X86Emitter::X86Emitter(const Code& code, const std::vector<bool>& isNeeded, Code
       hasMovbe_(CpuInfo::host().features().x86().hasMOVBE()),
       emittedAt_(emittedAt()),
       a_(&holder),
+      workspace_{x86::rbp, static_cast<std::int32_t>(layout_.slots + shortUp)},
       values_(a_, workspace_, valueRegisters(code), static_cast<std::int32_t>(layout_.size), code, isNeeded,
               emittedAt_) {}
 
@@ -126,10 +152,12 @@ void X86Emitter::prologue() {
   leave_ = a_.newLabel();
   for (const Gp& reg : savedRegisters) a_.push(reg);
   a_.sub(x86::rsp, 8);  // calls find the stack aligned
-  a_.mov(workspace_, x86::rdi);
+  a_.lea(workspace_.reg, x86::ptr(x86::rdi, workspace_.origin));
   a_.mov(x86::r14, at(offsetof(Workspace, registers)));
-  a_.mov(x86::r13, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(heldAreas_[0])));
-  a_.mov(x86::r15, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(heldAreas_[1])));
+  for (const HeldArea& held : heldAreas_) {
+    a_.mov(held.base.reg, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(held.area)));
+    if (held.base.origin != 0) a_.add(held.base.reg, held.base.origin);
+  }
   if (code_.countsTime) a_.xor_(x86::r12.r32(), x86::r12.r32());
   a_.mov(at(offsetof(Workspace, isLeft)), 0);
   if (!code_.sites.empty()) a_.mov(at(offsetof(Workspace, hasNews)), 0);
@@ -164,14 +192,15 @@ void X86Emitter::epilogue() {
 }
 
 X86Emitter::Mem X86Emitter::memory(Area area, std::uint64_t byte, std::uint32_t size) {
-  return x86::ptr(baseOf(area), static_cast<std::int32_t>(byte), size);
+  return baseOf(area).at(byte, size);
 }
-X86Emitter::Gp X86Emitter::baseOf(Area area) {
-  if (area == heldAreas_[0]) return x86::r13;
-  if (area == heldAreas_[1]) return x86::r15;
+X86Base X86Emitter::baseOf(Area area) {
+  for (const HeldArea& held : heldAreas_) {
+    if (held.area == area) return held.base;
+  }
   const Gp base = values_.fresh();
   a_.mov(base, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(area)));
-  return base;
+  return {base};
 }
 
 Label& X86Emitter::label(std::uint64_t mark) {
@@ -232,8 +261,7 @@ void X86Emitter::storeWord(const Step& s) {
   const bool isAt = s.op == CodeOp::StoreAt;
   const ValueId written = isAt ? s.b : s.a;
   const std::uint32_t size = s.width / 8U;
-  const Mem to = isAt ? x86::ptr(baseOf(s.area), values_.use(s.a), 0, static_cast<std::int32_t>(s.value), size)
-                      : memory(s.area, s.value, size);
+  const Mem to = isAt ? baseOf(s.area).at(values_.use(s.a), 0, s.value, size) : memory(s.area, s.value, size);
   const auto constant = immediate(written);
   if (size == 8) {
     a_.mov(to, 0);  // bytes that become 0 together

@@ -23,10 +23,16 @@ class X86Emitter {
   using Mem = asmjit::x86::Mem;
   using Cond = asmjit::x86::CondCode;
 
+  /// One that most steps load from or store to.
+  struct HeldArea {
+    Area area;
+    X86Base base;
+  };
+
   // x86_emitter.cpp
   static Layout layoutOf(const Code& code);
   static std::vector<Gp> valueRegisters(const Code& code);
-  static std::array<Area, 2> busiestAreas(const Code& code, const std::vector<bool>& isNeeded);
+  static std::array<HeldArea, 2> busiestAreas(const Code& code, const std::vector<bool>& isNeeded);
   void findStores();
   void prologue();
   void epilogue();
@@ -37,13 +43,11 @@ class X86Emitter {
   Mem memory(Area area, std::uint64_t byte, std::uint32_t size);
   std::int32_t slotAt(std::uint64_t number) const { return static_cast<std::int32_t>(layout_.slots + number); }
   std::int32_t stateAt(std::uint64_t number) const { return static_cast<std::int32_t>(layout_.states + 8 * number); }
-  Mem at(std::size_t offset, std::uint32_t size = 8) {
-    return asmjit::x86::ptr(workspace_, static_cast<std::int32_t>(offset), size);
-  }
+  Mem at(std::size_t offset, std::uint32_t size = 8) { return workspace_.at(offset, size); }
   Mem registerAt(std::uint64_t index) {
     return asmjit::x86::ptr(asmjit::x86::r14, static_cast<std::int32_t>(4 * index), 4);
   }
-  Gp baseOf(Area area);
+  X86Base baseOf(Area area);
   asmjit::Label& label(std::uint64_t mark);
 
   // x86_slots.cpp
@@ -54,7 +58,9 @@ class X86Emitter {
   // x86_values.cpp
   void value(ValueId id);
   void truth(ValueId id, const Step& step);
+  void compared(ValueId id, Cond holds);
   void arithmetic(ValueId id, const Step& step);
+  void replaceBit(ValueId id, const Step& step);
   void select(ValueId id, const Step& step);
   void call(ValueId id, const Step& step);
   void shift(ValueId id, const Step& step);
@@ -67,9 +73,13 @@ class X86Emitter {
   // x86_flags.cpp
   std::vector<ValueId> emittedAt();
   void findSums(const std::vector<ValueId>& uses);
+  void findReplacedBits(const std::vector<ValueId>& uses, std::vector<ValueId>& at) const;
+  bool asksOpposite(const Step& step) const;
+  void findLowUses();
   bool keepsFlags(const Step& step) const;
   void sum(ValueId id, const Step& step);
   void addTo(Gp reg, const Step& step);
+  void clearHigh(Gp reg, ValueId id);
   static Gp sized(Gp reg, int width);
   std::optional<std::int32_t> signedConstant(ValueId id, int width) const;
   /// Sets the flags and says under which condition the value holds.
@@ -99,14 +109,15 @@ class X86Emitter {
   const Code& code_;
   const std::vector<bool>& isNeeded_;
   const Layout layout_;
-  const std::array<Area, 2> heldAreas_;  ///< their addresses stand in r13 and r15
+  const std::array<HeldArea, 2> heldAreas_;
   const bool hasMovbe_;
   std::vector<ValueId> overflowOf_;             ///< by sum: whether it overflows, 0: nobody asks
   std::unordered_map<ValueId, Seldom> seldom_;  ///< by sum: if all who ask for it are made with it
   std::vector<bool> isFlagOnly_;                ///< by overflow of a sum: the processor's flags are enough
+  std::vector<bool> seesHigh_;                  ///< by value: whether what stands above 16 bits matters
   const std::vector<ValueId> emittedAt_;        ///< by step: itself, or the step that needs the comparison
   asmjit::x86::Assembler a_;
-  const Gp workspace_ = asmjit::x86::rbp;
+  const X86Base workspace_;
   X86Registers values_;
   std::unordered_map<std::uint64_t, asmjit::Label> labels_;
   asmjit::Label leave_;

@@ -95,7 +95,7 @@ void X86Emitter::sumThatFits(ValueId id, const Step& s) {
   addTo(reg, s);
   const Overflowed& here = overflowed_.emplace_back(Overflowed{id, reg, second, a_.newLabel(), a_.newLabel()});
   a_.jo(here.from);
-  if (s.width == 16) a_.movzx(reg.r32(), reg.r16());  // the flags stay
+  clearHigh(reg, seldom.result);
   if (zero.isValid()) a_.sete(zero.r8());
   if (negative.isValid()) a_.sets(negative.r8());
   if (zero.isValid()) a_.neg(zero.r8());
@@ -155,7 +155,7 @@ void X86Emitter::countErrors() {
   sumsThatOverflow();
   const Label isFirst = a_.newLabel(), more = a_.newLabel();
   const x86::Gp site = x86::rax, times = x86::rcx, isNew = x86::rdx;
-  const Mem timesOfSite = x86::ptr(workspace_, site, 2, static_cast<std::int32_t>(layout_.errors), 4);
+  const Mem timesOfSite = workspace_.at(site, 2, layout_.errors, 4);
   a_.bind(count_);
   a_.push(times);
   a_.mov(times.r32(), timesOfSite);
@@ -167,11 +167,11 @@ void X86Emitter::countErrors() {
   a_.ret();
   a_.bind(isFirst);
   a_.mov(times, at(offsetof(Workspace, happened)));
-  a_.mov(x86::ptr(workspace_, times, 2, static_cast<std::int32_t>(layout_.happened), 4), site.r32());
+  a_.mov(workspace_.at(times, 2, layout_.happened, 4), site.r32());
   a_.lea(times, x86::ptr(times, 1));
   a_.mov(at(offsetof(Workspace, happened)), times);
   a_.push(isNew);
-  a_.movzx(isNew.r32(), x86::ptr(workspace_, site, 0, static_cast<std::int32_t>(layout_.news), 1));
+  a_.movzx(isNew.r32(), workspace_.at(site, 0, layout_.news, 1));
   a_.mov(times, at(offsetof(Workspace, hasNews)));
   a_.lea(times, x86::ptr(times, isNew));
   a_.mov(at(offsetof(Workspace, hasNews)), times);

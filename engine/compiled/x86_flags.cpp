@@ -29,6 +29,8 @@ std::vector<ValueId> X86Emitter::emittedAt() {
     if (operands > 2) ++uses[s.c];
   }
   findSums(uses);
+  findLowUses();
+  findReplacedBits(uses, at);
   ValueId mark = 0;
   for (ValueId i = 0; i < count; ++i) {
     const Step& s = code_.steps[i];
@@ -40,7 +42,7 @@ std::vector<ValueId> X86Emitter::emittedAt() {
         seldom_.emplace(i, std::move(*seldom));
       }
     }
-    const bool wantsFlags = s.op == CodeOp::Select || (s.op == CodeOp::Leave && !code_.isStraight) ||
+    const bool wantsFlags = s.op == CodeOp::Select || (s.op == CodeOp::Leave && !code_.isStraight) || asksOpposite(s) ||
                             s.op == CodeOp::Count || s.op == CodeOp::BranchIf || s.op == CodeOp::BranchUnless;
     if (isNeeded_[i] && wantsFlags && uses[s.a] == 1 && isComparison(code_.steps[s.a].op) && s.a >= mark &&
         i - s.a <= nearBy && at[s.a] == s.a)
@@ -78,13 +80,54 @@ void X86Emitter::findSums(const std::vector<ValueId>& uses) {
   }
 }
 
+/// Finds each byte that is another one with a bit replaced by a truth value: what is made of that value for it, and
+/// what is left of the other byte, are made together with the result.
+void X86Emitter::findReplacedBits(const std::vector<ValueId>& uses, std::vector<ValueId>& at) const {
+  const auto constant = [&](ValueId id) { return code_.steps[id].op == CodeOp::Constant ? code_.steps[id].value : 0; };
+  for (ValueId i = 0; i < code_.steps.size(); ++i) {
+    const Step& s = code_.steps[i];
+    if (!isNeeded_[i] || s.op != CodeOp::BitOr || s.width != 8) continue;
+    const Step &rest = code_.steps[s.a], &shifted = code_.steps[s.b];
+    const bool isShifted = shifted.op == CodeOp::ShiftLeft;
+    const ValueId own = isShifted ? shifted.a : s.b;
+    const bool isSole = uses[s.a] == 1 && uses[s.b] == 1 && uses[own] == 1;
+    if (!isSole || rest.op != CodeOp::BitAnd || code_.steps[own].op != CodeOp::FromBit) continue;
+    const std::uint64_t replaced = 1ULL << (isShifted ? constant(shifted.b) : 0);
+    if (constant(rest.b) == (0xFF & ~replaced)) at[s.a] = at[s.b] = at[own] = i;
+  }
+}
+
+/// Whether it may be the comparison itself, the other way round. Overflows are known where their sum is made.
+bool X86Emitter::asksOpposite(const Step& s) const {
+  if (s.op != CodeOp::Not) return false;
+  const CodeOp asked = code_.steps[s.a].op;
+  return isComparison(asked) && asked != CodeOp::AddOverflows && asked != CodeOp::SubOverflows;
+}
+
+/// Finds the values of 16 bits of which nobody sees what stands above these in their register.
+void X86Emitter::findLowUses() {
+  seesHigh_.assign(code_.steps.size(), false);
+  for (ValueId i = 0; i < code_.steps.size(); ++i) {
+    const Step& s = code_.steps[i];
+    const int operands = isNeeded_[i] ? operandCount(s.op) : 0;
+    const bool isShort = s.width <= 16;
+    const bool isPair = (s.op == CodeOp::LessSigned || s.op == CodeOp::Add || s.op == CodeOp::Sub ||
+                         s.op == CodeOp::AddOverflows || s.op == CodeOp::SubOverflows) &&
+                        s.width == 16;
+    const bool isStore = s.op == CodeOp::StoreMemory && isShort;
+    if (isPair || isStore) continue;
+    if (operands > 0) seesHigh_[s.a] = true;
+    if (operands > 1 && !(s.op == CodeOp::StoreAt && isShort)) seesHigh_[s.b] = true;
+    if (operands > 2) seesHigh_[s.c] = true;
+  }
+}
+
 /// Whether the processor's flags are behind the step as before.
 bool X86Emitter::keepsFlags(const Step& s) const {
   switch (s.op) {
     case CodeOp::False:
     case CodeOp::True:
     case CodeOp::Constant:
-    case CodeOp::Not:
     case CodeOp::Select:
     case CodeOp::Count:
     case CodeOp::LoadBit:
@@ -93,6 +136,7 @@ bool X86Emitter::keepsFlags(const Step& s) const {
     case CodeOp::LoadRegister:
     case CodeOp::StoreBit:
     case CodeOp::StoreRegister: return true;
+    case CodeOp::Not: return !asksOpposite(s);
     case CodeOp::LoadMemory:
     case CodeOp::LoadAt: return s.width == 8 || (s.width == 32 && hasMovbe_);
     case CodeOp::StoreMemory:
@@ -137,8 +181,13 @@ void X86Emitter::sum(ValueId id, const Step& s) {
       values_.define(overflow, truth);
     }
   }
-  if (s.width == 16) a_.movzx(reg.r32(), reg.r16());  // the flags stay
+  clearHigh(reg, id);
   values_.define(id, reg);
+}
+
+/// The flags stay.
+void X86Emitter::clearHigh(Gp reg, ValueId id) {
+  if (code_.steps[id].width == 16 && seesHigh_[id]) a_.movzx(reg.r32(), reg.r16());
 }
 
 X86Emitter::Cond X86Emitter::comparison(const Step& s) {

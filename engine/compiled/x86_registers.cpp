@@ -10,8 +10,9 @@ namespace rungproof::compiled {
 
 using namespace asmjit;  // its Operand: by its full name
 
-X86Registers::X86Registers(x86::Assembler& assembler, Gp workspace, std::vector<Gp> registers, std::int32_t places,
-                           const Code& code, const std::vector<bool>& isNeeded, const std::vector<ValueId>& emittedAt)
+X86Registers::X86Registers(x86::Assembler& assembler, const X86Base& workspace, std::vector<Gp> registers,
+                           std::int32_t places, const Code& code, const std::vector<bool>& isNeeded,
+                           const std::vector<ValueId>& emittedAt)
     : a_(assembler),
       workspace_(workspace),
       registers_(std::move(registers)),
@@ -101,8 +102,8 @@ ValueId X86Registers::nextUse(ValueId id) {
 
 std::optional<X86Registers::Mem> X86Registers::memory(ValueId id, std::uint32_t size) const {
   const Slot& slot = slots_[id];
-  if (slot.isThere && step_ <= slot.until) return x86::ptr(workspace_, slot.at, size);
-  if (placeOf_[id] != none) return x86::ptr(workspace_, placesAt_ + 8 * placeOf_[id], size);
+  if (slot.isThere && step_ <= slot.until) return workspace_.at(static_cast<std::uint64_t>(slot.at), size);
+  if (placeOf_[id] != none) return place(id, size);
   return std::nullopt;
 }
 
@@ -134,7 +135,7 @@ void X86Registers::giveWay(std::size_t reg) {
   placeOf_[id] = freePlaces_.back();
   freePlaces_.pop_back();
   placed_.emplace(lastUse_[id], id);
-  const Mem to = x86::ptr(workspace_, placesAt_ + 8 * placeOf_[id], isTruth(code_.steps[id].op) ? 1 : 8);
+  const Mem to = place(id, isTruth(code_.steps[id].op) ? 1 : 8);
   isTruth(code_.steps[id].op) ? a_.mov(to, registers_[reg].r8()) : a_.mov(to, registers_[reg]);
 }
 

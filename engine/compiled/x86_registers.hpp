@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/compiled/code.hpp"
+#include "engine/compiled/x86_base.hpp"
 
 namespace rungproof::compiled {
 
@@ -21,8 +22,9 @@ class X86Registers {
 
   /// `registers`: those that values may stand in. `places`: byte of the workspace from which on they give way to.
   /// `emittedAt`: by step, where it is emitted (comparisons: where their result is needed); needed steps only count.
-  X86Registers(asmjit::x86::Assembler& assembler, Gp workspace, std::vector<Gp> registers, std::int32_t places,
-               const Code& code, const std::vector<bool>& isNeeded, const std::vector<ValueId>& emittedAt);
+  X86Registers(asmjit::x86::Assembler& assembler, const X86Base& workspace, std::vector<Gp> registers,
+               std::int32_t places, const Code& code, const std::vector<bool>& isNeeded,
+               const std::vector<ValueId>& emittedAt);
 
   /// Steps are emitted in their order; what was used in the one before may give way again.
   void begin(ValueId step);
@@ -60,6 +62,9 @@ class X86Registers {
     bool isThere = false;
   };
   std::optional<Mem> memory(ValueId id, std::uint32_t size) const;
+  Mem place(ValueId id, std::uint32_t size) const {
+    return workspace_.at(static_cast<std::uint64_t>(placesAt_ + 8 * placeOf_[id]), size);
+  }
   void load(ValueId id, Gp reg);
   void giveWay(std::size_t reg);
   std::size_t freeOne();
@@ -68,7 +73,7 @@ class X86Registers {
   void lastUseInLoops();
 
   asmjit::x86::Assembler& a_;
-  Gp workspace_;
+  X86Base workspace_;
   std::vector<Gp> registers_;
   std::int32_t placesAt_;
   const Code& code_;

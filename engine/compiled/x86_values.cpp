@@ -141,9 +141,8 @@ void X86Emitter::load(ValueId id, const Step& s) {
 /// The highest byte first.
 void X86Emitter::loadMemory(ValueId id, const Step& s) {
   const std::uint32_t size = s.width / 8U;
-  const Mem from = s.op == CodeOp::LoadAt
-                       ? x86::ptr(baseOf(s.area), values_.use(s.a), 0, static_cast<std::int32_t>(s.value), size)
-                       : memory(s.area, s.value, size);
+  const Mem from =
+      s.op == CodeOp::LoadAt ? baseOf(s.area).at(values_.use(s.a), 0, s.value, size) : memory(s.area, s.value, size);
   const Gp reg = values_.fresh();
   if (size == 1) {
     a_.movzx(reg.r32(), from);
@@ -159,6 +158,14 @@ void X86Emitter::loadMemory(ValueId id, const Step& s) {
   values_.define(id, reg);
 }
 
+void X86Emitter::compared(ValueId id, Cond holds) {
+  const Gp reg = values_.fresh();
+  a_.set(holds, reg.r8());
+  a_.neg(reg.r8());
+  truthMade(id);
+  values_.define(id, reg);
+}
+
 void X86Emitter::truth(ValueId id, const Step& s) {
   if (isComparison(s.op)) {
     if (s.op == CodeOp::TestBit && s.value == 0 && code_.steps[s.a].width == 1) {
@@ -166,14 +173,10 @@ void X86Emitter::truth(ValueId id, const Step& s) {
       a_.neg(reg.r32());
       return values_.define(id, reg);
     }
-    const Cond holds = comparison(s);
-    const Gp reg = values_.fresh();
-    a_.set(holds, reg.r8());
-    a_.neg(reg.r8());
-    truthMade(id);
-    return values_.define(id, reg);
+    return compared(id, comparison(s));
   }
   if (s.op == CodeOp::Not) {
+    if (emittedAt_[s.a] > s.a) return compared(id, x86::negateCond(comparison(code_.steps[s.a])));
     const Gp reg = values_.take(s.a);
     a_.not_(reg.r32());
     return values_.define(id, reg);
@@ -222,7 +225,10 @@ void X86Emitter::arithmetic(ValueId id, const Step& s) {
       keepWidth(reg, s.width);
       break;
     case CodeOp::BitAnd: reg = both(x86::Inst::kIdAnd); break;
-    case CodeOp::BitOr: reg = both(x86::Inst::kIdOr); break;
+    case CodeOp::BitOr:
+      if (emittedAt_[s.a] > s.a) return replaceBit(id, s);
+      reg = both(x86::Inst::kIdOr);
+      break;
     case CodeOp::BitXor: reg = both(x86::Inst::kIdXor); break;
     case CodeOp::BitNot:
       reg = values_.take(s.a);
@@ -255,6 +261,17 @@ void X86Emitter::arithmetic(ValueId id, const Step& s) {
       break;
     default: CHECK(false, "no operation on words");
   }
+  values_.define(id, reg);
+}
+
+/// The bits of the mask come from `rest`, the other one from the truth value, all bits of which are equal.
+void X86Emitter::replaceBit(ValueId id, const Step& s) {
+  const Step &rest = code_.steps[s.a], &shifted = code_.steps[s.b];
+  const ValueId own = shifted.op == CodeOp::ShiftLeft ? shifted.a : s.b;
+  const Gp reg = values_.take(rest.a), truth = values_.use(code_.steps[own].a);
+  a_.xor_(reg.r8(), truth.r8());
+  a_.and_(reg.r8(), static_cast<std::int8_t>(code_.steps[rest.b].value));
+  a_.xor_(reg.r8(), truth.r8());
   values_.define(id, reg);
 }
 

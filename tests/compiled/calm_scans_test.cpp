@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "frontend/input/project.hpp"
+#include "ir/block_event.hpp"
 #include "tests/compiled/engine_pair.hpp"
 
 namespace rungproof::test {
@@ -40,6 +41,43 @@ TEST(CalmScans, ClocksGoOnForMinutes) {
         return ScanRequest{.lengthUs = scan % 7 == 0 ? 33'300U : 100'000U};
       });
   EXPECT_GE(compiled, 1400U);
+}
+
+TEST(CalmScans, TimersOfAnS7300GoOn) {
+  // A flicker of 700 ms and 300 ms, twelve seconds seen in LC, a counter; scans of 10 and of 33.3 ms. Local data are the
+  // block's alone; behind the scan nothing stands there.
+  const std::uint64_t compiled = compareRuns(
+      "ORGANIZATION_BLOCK OB 1\nVAR_TEMP\n info : ARRAY [0 .. 19] OF BYTE;\n n : INT;\nEND_VAR\nBEGIN\nNETWORK\n"
+      "AN T 2;\nL S5T#700ms;\nSD T 1;\nA T 1;\nL S5T#300ms;\nSE T 2;\nA T 1;\n= Q 0.0;\n"
+      "A I 0.0;\nL S5T#12s;\nSF T 3;\nLC T 3;\nT MW 10;\nA T 3;\n= Q 0.1;\n"
+      "A Q 0.0;\nCU C 1;\nL C 1;\nT #n;\nL #n;\n+ 3;\nT MW 12;\nEND_ORGANIZATION_BLOCK\n",
+      2000, [](Simulator& s, int scan) {
+        setInputs(s, scan % 1000 < 50 ? 1 : 0);
+        return ScanRequest{.lengthUs = scan % 7 == 0 ? 33'300U : 10'000U};
+      });
+  EXPECT_GE(compiled, 1900U);
+}
+
+TEST(CalmScans, SomebodyOutsideEndsThemInAnS7300) {
+  compareRuns(
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nA I 0.0;\n= Q 0.0;\nL MW 0;\n+ 1;\nT MW 0;\nA I 0.1;\n"
+      "L S5T#50ms;\nSD T 1;\nA T 1;\n= Q 0.1;\nEND_ORGANIZATION_BLOCK\n",
+      200, [](Simulator& s, int scan) {
+        setInputs(s, scan % 5 == 0 ? 1 : scan % 20 < 10 ? 2 : 0);
+        if (scan == 30) s.force(direct(Area::Q, Width::Bit, 0, 0), 1);
+        if (scan == 40) s.unforce(direct(Area::Q, Width::Bit, 0, 0));
+        if (scan == 50) s.stop();
+        if (scan == 55) s.run();
+        if (scan == 70) s.powerCycle();
+        if (scan == 100) s.setStore(s.store());
+        if (scan == 180) return ScanRequest{.events = {eventOfBlock(40)}};  // nobody takes it: the CPU stops
+        return ScanRequest{.lengthUs = scan == 120 ? 140'000U : 10'000U};
+      });
+}
+
+TEST(CalmScans, AScanThatIsTooLongStopsAnS7300) {
+  compareRuns("ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nA I 0.0;\n= Q 0.0;\nEND_ORGANIZATION_BLOCK\n", 30,
+              [](Simulator&, int scan) { return ScanRequest{.lengthUs = scan == 20 ? 700'000U : 10'000U}; });
 }
 
 TEST(CalmScans, AnEventThatTheProgramAttachesLaterHasItsEdges) {
