@@ -119,7 +119,7 @@ Recorder::Part Recorder::beginPart(Bool condition) {
 }
 void Recorder::endPart(Part part) {
   add({.op = CodeOp::Mark, .value = part.mark});
-  known_.clear();
+  forgetKnown();
   replaced_ = std::move(part.replaced);
   store->forgetSince(part.first);
 }
@@ -259,12 +259,18 @@ Recorder::Bits Recorder::select(Bool c, Bits a, Bits b, int w) {
   }
   if (const Step below = at(b.id); below.op == CodeOp::Select) {
     if (below.a == c.id) return select(c, a, {below.c}, w);
-    const Step both = at(c.id);
-    const bool isWithin = both.op == CodeOp::And && (both.a == below.a || both.b == below.a);
-    const Bool rest{both.a == below.a ? both.b : both.a};
-    if (isWithin) return select({below.a}, select(rest, a, {below.b}, w), {below.c}, w);
+    for (const auto& [part, rest] : partsOf(c.id)) {
+      if (part == below.a) return select({below.a}, select({rest}, a, {below.b}, w), {below.c}, w);
+      if (code.isWholeScan && isOpposite(part, below.a))
+        return select({below.a}, {below.b}, select({rest}, a, {below.c}, w), w);
+    }
+    if (const auto way = code.isWholeScan ? forked(c.id, below.a) : std::nullopt)
+      return select(way->common, select(way->own, a, {below.b}, w), {below.c}, w);
   }
-  return {make({.op = CodeOp::Select, .width = static_cast<std::uint8_t>(w), .a = c.id, .b = a.id, .c = b.id})};
+  const ValueId id =
+      make({.op = CodeOp::Select, .width = static_cast<std::uint8_t>(w), .a = c.id, .b = a.id, .c = b.id});
+  replacedWhere_[pairOf(c.id, b.id)] = id;
+  return {id};
 }
 
 Recorder::Bits Recorder::sext(Bits a, int from, int to) {

@@ -142,7 +142,7 @@ class Recorder {
   const Step& at(ValueId id) const { return code.steps[id]; }
   /// Values are not looked up from here on: a block begins that several ways lead to.
   void forgetValues() {
-    known_.clear();
+    forgetKnown();
     replaced_.clear();
   }
   /// Branches to `mark` where a condition that is not yet known holds (BranchIf) or not; what follows is recorded for
@@ -190,6 +190,18 @@ class Recorder {
   bool isOpposite(ValueId a, ValueId b) const {
     return (at(a).op == CodeOp::Not && at(a).a == b) || (at(b).op == CodeOp::Not && at(b).a == a);
   }
+  void forgetKnown() {
+    known_.clear();
+    replacedWhere_.clear();
+  }
+  static std::uint64_t pairOf(ValueId a, ValueId b) { return std::uint64_t{a} << 32 | b; }
+  /// Of a conjunction each part with the other one; else nothing.
+  std::vector<std::pair<ValueId, ValueId>> partsOf(ValueId condition) const;
+  /// Two conditions that are one and the same apart from a part that one has and the other has not.
+  struct Forked {
+    Bool common, own;  ///< `own`: of the first
+  };
+  std::optional<Forked> forked(ValueId first, ValueId second) const;
   std::optional<Bool> absorbed(CodeOp op, ValueId a, ValueId b);
   std::optional<Bool> orderOf(ValueId a, ValueId b);
   Bool under(Bool value, ValueId condition, bool isTrue, int depth);
@@ -211,6 +223,7 @@ class Recorder {
   std::optional<Step> place_;       ///< last access to a computed address `a` of `area` where `b` stands
   bool hasReadOnlyBlocks_ = false;  ///< of which an address may name one
   std::unordered_map<Step, ValueId, StepHash, StepEqual> known_;
+  std::unordered_map<std::uint64_t, ValueId> replacedWhere_;  ///< Select by its condition and what it is without
   std::unordered_map<std::uint64_t, ValueId> constants_;
   std::unordered_map<ValueId, ValueId> replaced_;  ///< conditions that are known where the code is
 };

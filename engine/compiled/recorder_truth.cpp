@@ -37,10 +37,31 @@ Recorder::Bool Recorder::lnot(Bool a) {
   return {make({.op = CodeOp::Not, .a = a.id})};
 }
 
+std::vector<std::pair<ValueId, ValueId>> Recorder::partsOf(ValueId condition) const {
+  const Step& both = at(condition);
+  if (both.op != CodeOp::And) return {};
+  return {{both.a, both.b}, {both.b, both.a}};
+}
+
+std::optional<Recorder::Forked> Recorder::forked(ValueId first, ValueId second) const {
+  for (const auto& [part, rest] : partsOf(first)) {
+    for (const auto& [other, otherRest] : partsOf(second)) {
+      if (part == other && isOpposite(rest, otherRest)) return Forked{{part}, {rest}};
+    }
+  }
+  return std::nullopt;
+}
+
 /// `a` joined by `op` with `b`, which joins others: where one of these is `a` or its opposite. By example of And:
-/// a(ax) = ax, a(a + x) = a, a(-a + x) = ax, a(-ax) = 0.
+/// a(ax) = ax, a(a + x) = a, a(-a + x) = ax, a(-ax) = 0; a -(-ax) = a, a -(ax) = a(-x).
 std::optional<Recorder::Bool> Recorder::absorbed(CodeOp op, ValueId a, ValueId b) {
   const Step inner = at(b);
+  if (const Step negated = at(inner.a); inner.op == CodeOp::Not && negated.op == op) {
+    for (const auto& [one, other] : {std::pair(negated.a, negated.b), std::pair(negated.b, negated.a)}) {
+      if (isOpposite(one, a)) return Bool{a};
+      if (one == a) return op == CodeOp::And ? land({a}, lnot({other})) : lor({a}, lnot({other}));
+    }
+  }
   if (!isJoin(inner.op)) return std::nullopt;
   for (const auto& [one, other] : {std::pair(inner.a, inner.b), std::pair(inner.b, inner.a)}) {
     if (one == a) return Bool{inner.op == op ? b : a};
@@ -84,6 +105,13 @@ Recorder::Bool Recorder::lor(Bool a, Bool b) {
   if (const auto simple = absorbed(CodeOp::Or, b.id, a.id)) return *simple;
   if (const auto order = orderOf(a.id, b.id)) return *order;
   if (const auto order = orderOf(b.id, a.id)) return *order;
+  if (const auto way = forked(a.id, b.id)) return way->common;
+  for (const auto& [sum, last] : {std::pair(a.id, b.id), std::pair(b.id, a.id)}) {
+    const Step before = at(sum);  // of all that have come before, one and the other side of a fork
+    if (!code.isWholeScan || before.op != CodeOp::Or) continue;
+    if (const auto way = forked(before.a, last)) return lor({before.b}, way->common);
+    if (const auto way = forked(before.b, last)) return lor({before.a}, way->common);
+  }
   return {make({.op = CodeOp::Or, .a = a.id, .b = b.id})};
 }
 
@@ -165,7 +193,12 @@ std::optional<Recorder::Bool> Recorder::oneTest(ValueId condition, ValueId on, V
   const bool isWord = width == 16 || width == 32;
   if (!isWord || at(y->test.a).width != width || at(x->test.a).op == CodeOp::Join || at(y->test.a).op == CodeOp::Join)
     return std::nullopt;
-  const Bits number = select({condition}, {x->test.a}, {y->test.a}, width);
+  // Where the test does not count, another number may stand: one that is there anyway.
+  const auto tested = [&](const NumberTest& t) {
+    const auto other = replacedWhere_.find(pairOf(t.unless, t.test.a));
+    return Bits{other == replacedWhere_.end() ? t.test.a : other->second};
+  };
+  const Bits number = select({condition}, tested(*x), tested(*y), width);
   const Bool test = x->test.op == CodeOp::TestBit ? bit(number, static_cast<int>(x->test.value))
                                                   : equal(number, {x->test.b}, x->test.width);
   return land(lnot(chosen({condition}, {x->unless}, {y->unless})), test);

@@ -102,6 +102,7 @@ class WideEmitter : public StepEmitter<WideEmitter, WideNumber> {
   void holdScalar(ValueId id, const Gp& value);
   void holdNumber(ValueId id, const Number& value);
   void holdMasks(ValueId id, Rep rep, const Masks& masks);
+  void holdCopy(std::size_t place, const Zmm& value);
   void thinMasks(std::size_t most);
   void release();
   void forgetAll();
@@ -155,7 +156,12 @@ class WideEmitter : public StepEmitter<WideEmitter, WideNumber> {
   std::vector<std::uint64_t> recentMasks_;             ///< keys of masks_, the oldest first
   std::unordered_map<ValueId, std::size_t> slotOf_;    ///< truth values that stand in memory
   std::multimap<std::size_t, ValueId> readAt_;         ///< values by the place where they stand
-  std::unordered_map<std::uint64_t, ValueId> sums_;    ///< by operands: Add or Sub of this block
+  struct Copy {
+    Zmm reg;
+    ValueId usedAt;  ///< step that has used it last
+  };
+  std::map<std::size_t, Copy> copies_;               ///< by place: what has been read there a short while ago
+  std::unordered_map<std::uint64_t, ValueId> sums_;  ///< by operands: Add or Sub of this block
 };
 
 }  // namespace rungproof::lanes

@@ -10,6 +10,8 @@ namespace {
 
 /// Mask registers that hold something from step to step.
 constexpr std::size_t mostMasks = 4;
+/// Steps for which a register keeps what was read from a place and not used since.
+constexpr ValueId mostUnused = 24;
 
 }  // namespace
 
@@ -39,6 +41,10 @@ void WideEmitter::holdMasks(ValueId id, Rep rep, const Masks& masks) {
   if (!masks_.try_emplace(keyOf(id, rep), masks).second) return;
   for (std::size_t i = 0; i < pieceCount(rep); ++i) maskPool_.hold(masks[i]);
   recentMasks_.push_back(keyOf(id, rep));
+}
+
+void WideEmitter::holdCopy(std::size_t place, const Zmm& value) {
+  if (copies_.try_emplace(place, Copy{value, step_}).second) zmms_.hold(value);
 }
 
 /// There are seven mask registers: what has stood there for long is soon made again of its bits.
@@ -85,6 +91,11 @@ void WideEmitter::release() {
       }
     }
   }
+  std::erase_if(copies_, [&](const auto& entry) {
+    const bool isOld = step_ - entry.second.usedAt > mostUnused;
+    if (isOld) zmms_.drop(entry.second.reg);
+    return isOld;
+  });
   gps_.endStep();
   zmms_.endStep();
   maskPool_.endStep();
@@ -97,6 +108,7 @@ void WideEmitter::forgetAll() {
   numbers_.clear();
   masks_.clear();
   recentMasks_.clear();
+  copies_.clear();
   slotOf_.clear();
   readAt_.clear();
   sums_.clear();
@@ -122,6 +134,9 @@ void WideEmitter::beforeStore(std::size_t first, std::size_t count) {
     }
   }
   readAt_.erase(begin, end);
+  const auto firstCopy = copies_.lower_bound(first), endOfCopies = copies_.lower_bound(first + count);
+  for (auto copy = firstCopy; copy != endOfCopies; ++copy) zmms_.drop(copy->second.reg);
+  copies_.erase(firstCopy, endOfCopies);
 }
 
 }  // namespace rungproof::lanes

@@ -75,7 +75,7 @@ WideEmitter::Masks WideEmitter::masksOf(ValueId id, Rep rep) {
   return masks;
 }
 
-/// Each register of numbers has its part of the bits.
+/// Each register of numbers has its part of the bits. What stands above that part in a mask has no effect.
 WideEmitter::Masks WideEmitter::masksFrom(const asmjit::Operand& truth, Rep rep) {
   static constexpr std::array<InstId, 4> moves = {Inst::kIdKmovq, Inst::kIdKmovd, Inst::kIdKmovw, Inst::kIdKmovb};
   const InstId move = moves[static_cast<std::size_t>(rep) - 1];
@@ -87,17 +87,11 @@ WideEmitter::Masks WideEmitter::masksFrom(const asmjit::Operand& truth, Rep rep)
       Mem part = truth.as<Mem>().cloneAdjusted(static_cast<std::int64_t>(i * bytes));
       part.setSize(bytes);
       c_.emit(move, masks[i], part);
-      continue;
+    } else if (i == 0) {
+      c_.kmovq(masks[0], truth.as<Gp>());
+    } else {
+      c_.kshiftrq(masks[i], masks[0], imm(8 * bytes * i));
     }
-    Gp part = truth.as<Gp>();
-    if (i > 0) {
-      part = freshGp();
-      c_.rorx(part, truth.as<Gp>(), imm(8 * bytes * i));
-    }
-    if (rep == Rep::Byte)
-      c_.emit(move, masks[i], part);
-    else
-      c_.emit(move, masks[i], part.r32());
   }
   return masks;
 }
@@ -124,8 +118,16 @@ x86::Gp WideEmitter::truthFrom(const Masks& masks, Rep rep) {
 
 x86::Zmm WideEmitter::inRegister(const asmjit::Operand& piece) {
   if (piece.isReg()) return piece.as<Zmm>();
+  const auto place = static_cast<std::size_t>(piece.as<Mem>().offset());
+  const bool isState =
+      piece.as<Mem>().baseId() == rows_.id() && !piece.as<Mem>().hasIndex() && place < layout_.stateEnd;
+  if (const auto copy = copies_.find(place); isState && copy != copies_.end()) {
+    copy->second.usedAt = step_;
+    return copy->second.reg;
+  }
   const Zmm reg = freshZmm();
   c_.vmovdqa64(reg, piece.as<Mem>());
+  if (isState) holdCopy(place, reg);
   return reg;
 }
 
