@@ -1,7 +1,9 @@
 // LaneCode: recorded code of a whole scan (engine/compiled/code.hpp) as machine code for all traces of a group at once.
+// Long code without branches has parts, each of which all groups go through before the next one.
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "engine/lanes/lane_layout.hpp"
 
@@ -18,9 +20,9 @@ class LaneCode {
   LaneCode(const Code& code, const std::vector<bool>& isNeeded, const Concrete::Store& model, bool isWide)
       : layout(code, isNeeded, model, isWide) {}
   virtual ~LaneCode() = default;
-  /// One scan of a group whose rows begin at `rows`. Traces that leave the code are on in the row left(): what their
-  /// rows hold then is of no use.
-  virtual void run(std::uint8_t* rows) const = 0;
+  /// One scan of groups whose rows begin there. Traces that leave the code are on in the row left(): what their rows
+  /// hold then is of no use.
+  virtual void run(std::span<std::uint8_t* const> groups) const = 0;
 
   LaneLayout layout;
 };

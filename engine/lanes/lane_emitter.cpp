@@ -10,11 +10,10 @@ namespace Inst = x86::Inst;
 
 /// A value of a loop is kept for those only that run: others may still need theirs of an earlier round.
 void LaneEmitter::keep(ValueId id, const Vec& value) {
-  const auto kept = flow_.keptAt.find(id);
-  if (kept == flow_.keptAt.end()) return;
-  const Row row{layout_.kept(kept->second), value.rep};
-  if (flow_.isInLoop[id]) return storeRow(row, value);
-  save(row.at, value);
+  const auto row = keptRow(id);
+  if (!row) return;
+  if (flow_.isInLoop[id]) return storeRow(*row, value);
+  save(row->at, value);
 }
 
 void LaneEmitter::begin() {

@@ -13,20 +13,28 @@ namespace rungproof::lanes {
 
 class LaneFlow {
  public:
-  LaneFlow(const Code& code, const std::vector<bool>& isNeeded, bool seesCommon);
+  /// `mostOfPart`: needed steps of a part of straight code.
+  LaneFlow(const Code& code, const std::vector<bool>& isNeeded, bool seesCommon, std::size_t mostOfPart);
 
   std::vector<std::uint32_t> blockOf;                   ///< by step
   std::uint32_t lastBlock = 0;                          ///< number of it
+  std::unordered_set<ValueId> partsAt;                  ///< first steps of the second part and those behind it
   std::vector<bool> isMaskedAt;                         ///< by step: traces may wait elsewhere meanwhile
   std::vector<bool> isInLoop;                           ///< by step: of which traces may leave in different rounds
   std::unordered_map<std::uint64_t, ValueId> markAt;    ///< by number of the mark
   std::unordered_map<ValueId, std::size_t> goOnBehind;  ///< by branch back: row of those that go on there
-  std::unordered_map<ValueId, std::size_t> keptAt;      ///< values that other blocks use: row
-  std::size_t keptRows = 0;
-  std::vector<bool> isFolded;                ///< negations that only And of their block uses
-  std::vector<bool> isPatched;               ///< upper parts of numbers that only get other lower parts
-  std::vector<std::vector<ValueId>> endsAt;  ///< by step: values that the block uses no more
-  std::vector<bool> isCommon;                ///< by step: a value, or the way that a branch takes
+  /// Values that other blocks use: row, or number of a truth value. Some need not be kept: they are read once more.
+  std::unordered_map<ValueId, std::size_t> keptAt;
+  std::unordered_set<ValueId> readAgain;
+  std::size_t keptRows = 0, keptTruths = 0;
+  std::vector<bool> isFolded;                    ///< negations that only And of their block uses
+  std::unordered_map<ValueId, ValueId> takenAt;  ///< SelectBit: And of its condition and of what it chooses
+  std::unordered_map<ValueId, ValueId> sumAt;    ///< Select: the sum that it makes itself, where that does not overflow
+  std::vector<bool> isSum;                       ///< such sums
+  std::vector<bool> isFit;                       ///< overflows that are held as their opposite
+  std::vector<bool> isPatched;                   ///< upper parts of numbers that only get other lower parts
+  std::vector<std::vector<ValueId>> endsAt;      ///< by step: values that the block uses no more
+  std::vector<bool> isCommon;                    ///< by step: a value, or the way that a branch takes
   struct Guarded {
     Area area;
     std::uint32_t first, count;
@@ -39,6 +47,7 @@ class LaneFlow {
 
  private:
   void findBlocks();
+  void findParts(std::size_t mostOfPart);
   void findMasks();
   void findCommon();
   bool narrowCommon();
@@ -46,7 +55,12 @@ class LaneFlow {
   void findRegisters();
   bool isGuarded(Area area, std::uint64_t byte) const;
   void findKept();
+  std::vector<ValueId> nextStores() const;
   void findFolded();
+  void findTaken();
+  void findSums();
+  bool isSumUnlessOverflow(ValueId select) const;
+  std::vector<std::uint32_t> useCounts() const;
   void findPatched();
   template <class Use>
   void eachOperand(const Step& s, Use&& use) const;

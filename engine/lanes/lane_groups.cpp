@@ -24,7 +24,8 @@ std::uint64_t spread(std::uint64_t byte) {
 std::uint64_t gathered(std::uint64_t bytes) { return (bytes & lowBits) * 0x0102040810204080 >> 56; }
 
 void putTruth(std::uint8_t* row, const LaneLayout& layout, const std::uint64_t* traces, std::size_t firstLane) {
-  if (layout.form != Form::Bytes) {
+  if (layout.form == Form::Wide) return void(std::memcpy(row, traces + firstLane / 64, wideTruthBytes));
+  if (layout.form == Form::Bits) {
     std::memcpy(row, traces + firstLane / 64, layout.truthBytes);
     return;
   }
@@ -73,12 +74,13 @@ LaneGroups::LaneGroups(const Code& code, const LaneCode& laneCode, const Concret
       count_((count + 255) / 256 * 256),
       blocks_((layout_.size + sizeof(Block) - 1) / sizeof(Block)),
       memory_(count_ / layout_.lanes * blocks_),
-      inputs_(regInfo(Reg::PhysicalInput).count, TraceSet(count_ / 64)),
-      isInputNew_(inputs_.size() / 8, true),
+      inputs_(regInfo(Reg::PhysicalInput).count * (count_ / 64)),
+      isInputNew_(regInfo(Reg::PhysicalInput).count / 8, true),
       isImageWritten_(start.area(Area::I).size(), false),
       others_(count_) {
-  for (std::uint32_t bit = 0; bit < inputs_.size(); ++bit) {
-    if (start.get(Reg::PhysicalInput, bit) != 0) inputs_[bit].assign(count_ / 64, ~std::uint64_t{0});
+  for (std::uint32_t bit = 0; bit < inputCount(); ++bit) {
+    if (start.get(Reg::PhysicalInput, bit) != 0)
+      std::fill_n(inputs_.begin() + static_cast<std::ptrdiff_t>(inputAt(bit, 0) / 64), count_ / 64, ~std::uint64_t{0});
   }
   inputsOfScan_ = inputs_;
   findInputPlaces();
@@ -140,8 +142,8 @@ void LaneGroups::take(Image& image) const {
 Concrete::Store LaneGroups::storeOf(std::size_t trace, const Concrete::Store& common, const View& view) const {
   Concrete::Store store = common;
   const std::size_t lane = trace % layout_.lanes;
-  for (std::uint32_t bit = 0; bit < view.inputs.size(); ++bit) {
-    const bool isOn = contains(view.inputs[bit], trace);
+  for (std::uint32_t bit = 0; bit < inputCount(); ++bit) {
+    const bool isOn = contains(view.inputs, inputAt(bit, trace));
     store.set(Reg::PhysicalInput, bit, isOn ? 1 : 0, true);
     if (hasRun_ && bit < terminals_) store.save(Area::I, bit, 1, isOn ? 1 : 0, true);
   }
@@ -165,8 +167,8 @@ Concrete::Store LaneGroups::storeOf(std::size_t trace, const Concrete::Store& co
 }
 Concrete::Store LaneGroups::store(std::size_t trace, const Concrete::Store& common) const {
   Concrete::Store store = storeOf(trace, common, {rows(trace / layout_.lanes), inputsOfScan_, others_});
-  for (std::uint32_t bit = 0; bit < inputs_.size(); ++bit)
-    store.set(Reg::PhysicalInput, bit, contains(inputs_[bit], trace) ? 1 : 0, true);
+  for (std::uint32_t bit = 0; bit < inputCount(); ++bit)
+    store.set(Reg::PhysicalInput, bit, contains(inputs_, inputAt(bit, trace)) ? 1 : 0, true);
   return store;
 }
 Concrete::Store LaneGroups::store(std::size_t trace, const Concrete::Store& common, const Image& image) const {
@@ -175,21 +177,21 @@ Concrete::Store LaneGroups::store(std::size_t trace, const Concrete::Store& comm
 }
 
 void LaneGroups::setInput(std::uint32_t bit, std::span<const std::uint64_t> traces) {
-  CHECK(bit < inputs_.size() && traces.size() <= inputs_[bit].size(), "an input that the CPU does not have");
-  std::ranges::copy(traces, inputs_[bit].begin());
+  CHECK(bit < inputCount() && traces.size() <= count_ / 64, "an input that the CPU does not have");
+  std::ranges::copy(traces, inputs_.begin() + static_cast<std::ptrdiff_t>(inputAt(bit, 0) / 64));
   isInputNew_[bit / 8] = true;
 }
 
 void LaneGroups::write(std::size_t trace, const Operand& operand, std::uint64_t value, const Concrete::Store& common) {
   Concrete::Store now = store(trace, common);
   setCell(now, operand, value);
-  for (std::uint32_t bit = 0; bit < inputs_.size(); ++bit) {
+  for (std::uint32_t bit = 0; bit < inputCount(); ++bit) {
     const bool isOn = now.get(Reg::PhysicalInput, bit) != 0;
-    if (isOn == contains(inputs_[bit], trace)) continue;
-    inputs_[bit][trace / 64] ^= std::uint64_t{1} << (trace % 64);
+    if (isOn == contains(inputs_, inputAt(bit, trace))) continue;
+    inputs_[inputAt(bit, trace) / 64] ^= std::uint64_t{1} << (trace % 64);
     isInputNew_[bit / 8] = true;
   }
-  if (operand.area == Area::I && operand.offset * 8 < inputs_.size()) return;
+  if (operand.area == Area::I && operand.offset * 8 < inputCount()) return;
   importFrom(now, trace);
   auto& others = others_[trace];
   std::erase_if(others, [&](const auto& other) {
@@ -222,7 +224,8 @@ void LaneGroups::putInputs(std::uint32_t byte) {
   for (const std::size_t slot : inputPlaces_[byte].slots) {
     for (std::size_t g = 0; g < groupCount(); ++g) {
       for (std::uint32_t bit = 0; bit < 8; ++bit)
-        putTruth(rows(g) + layout_.slot(8 * slot + bit), layout_, inputs_[8 * byte + bit].data(), g * layout_.lanes);
+        putTruth(rows(g) + layout_.slot(8 * slot + bit), layout_, inputs_.data(),
+                 inputAt(8 * byte + bit, g * layout_.lanes));
     }
   }
   for (const std::size_t index : inputPlaces_[byte].cells) {
@@ -232,7 +235,7 @@ void LaneGroups::putInputs(std::uint32_t byte) {
     for (std::size_t trace = 0; trace < count_; ++trace) {
       std::uint64_t own = 0;
       for (std::uint32_t bit = 0; bit < 8; ++bit)
-        own |= static_cast<std::uint64_t>(contains(inputs_[8 * byte + bit], trace)) << bit;
+        own |= static_cast<std::uint64_t>(contains(inputs_, inputAt(8 * byte + bit, trace))) << bit;
       std::uint8_t* const to = rows(trace / layout_.lanes);
       const std::size_t lane = trace % layout_.lanes;
       const std::uint64_t others = numberIn(to, row, lane, layout_.form) & ~(0xFFULL << shift);
@@ -246,7 +249,8 @@ void LaneGroups::readInputs() {
     const bool isWritten = byte < isImageWritten_.size() && isImageWritten_[byte];
     if (!isInputNew_[byte] && !isWritten) continue;
     putInputs(byte);
-    for (std::uint32_t bit = 8 * byte; bit < 8 * byte + 8; ++bit) inputsOfScan_[bit] = inputs_[bit];
+    const auto first = static_cast<std::ptrdiff_t>(inputAt(8 * byte, 0) / 64);
+    std::copy_n(inputs_.begin() + first, count_ / 8, inputsOfScan_.begin() + first);
     isInputNew_[byte] = false;
   }
 }
@@ -272,7 +276,7 @@ TraceSet LaneGroups::scan(const LaneLayout::Head& head, const Concrete::Store& c
   showCommon(common);
   readInputs();
   hasRun_ = true;
-  TraceSet left(count_ / 64);
+  scanned_.clear();
   for (std::size_t g = 0; g < groupCount(); ++g) {
     const std::size_t first = g * layout_.lanes;
     if (std::all_of(running.begin() + static_cast<std::ptrdiff_t>(first / 64),
@@ -282,9 +286,12 @@ TraceSet LaneGroups::scan(const LaneLayout::Head& head, const Concrete::Store& c
     std::uint8_t* const own = rows(g);
     std::memcpy(own, &head, sizeof head);
     putTruth(own + layout_.active(), layout_, running.data(), first);
-    laneCode_.run(own);
-    takeTruth(own + layout_.left(), layout_, left.data(), first);
+    scanned_.push_back(own);
   }
+  laneCode_.run(scanned_);
+  TraceSet left(count_ / 64);
+  for (std::size_t g = 0; g < groupCount(); ++g)
+    takeTruth(rows(g) + layout_.left(), layout_, left.data(), g * layout_.lanes);
   for (std::size_t i = 0; i < left.size(); ++i) left[i] &= running[i];
   return left;
 }

@@ -27,7 +27,7 @@ class LaneGroups {
   /// Rows of the state at some time.
   struct Image {
     std::vector<std::uint8_t> rows;
-    std::vector<TraceSet> inputs;
+    TraceSet inputs;
     std::vector<std::vector<std::pair<Operand, std::uint64_t>>> others;
   };
   /// Brings the state as it is now to `image`.
@@ -59,7 +59,7 @@ class LaneGroups {
   };
   struct View {
     const std::uint8_t* rows;
-    const std::vector<TraceSet>& inputs;
+    const TraceSet& inputs;
     const std::vector<std::vector<std::pair<Operand, std::uint64_t>>>& others;
   };
   std::uint8_t* rows(std::size_t group) { return memory_[group * blocks_].bytes.data(); }
@@ -73,6 +73,9 @@ class LaneGroups {
   void findInputPlaces();
   void putInputs(std::uint32_t byte);
   TraceSet errorsIn(const std::uint8_t* rows, std::size_t trace) const;
+  /// Number of a trace's bit in inputs_.
+  std::size_t inputAt(std::uint32_t bit, std::size_t trace) const { return bit * count_ + trace; }
+  std::uint32_t inputCount() const { return static_cast<std::uint32_t>(8 * isInputNew_.size()); }
   std::size_t groupCount() const { return memory_.size() / blocks_; }
 
   const LaneLayout& layout_;
@@ -84,9 +87,9 @@ class LaneGroups {
   const std::size_t count_;
   const std::size_t blocks_;  ///< of a group
   std::vector<Block> memory_;
-  std::vector<TraceSet> inputs_;        ///< by terminal, as they are now
-  std::vector<TraceSet> inputsOfScan_;  ///< as the last scan has read them
-  std::vector<bool> isInputNew_;        ///< by byte
+  TraceSet inputs_;               ///< of all terminals, one behind the other, as they are now
+  TraceSet inputsOfScan_;         ///< as the last scan has read them
+  std::vector<bool> isInputNew_;  ///< by byte
   struct InputPlaces {
     std::vector<std::size_t> slots, cells;  ///< indexes of a byte in slots_, and in the cells of the layout
   };
@@ -102,6 +105,7 @@ class LaneGroups {
     std::uint64_t value;
   };
   std::vector<Shown> shown_;
+  std::vector<std::uint8_t*> scanned_;  ///< groups of which traces still run
   bool hasRun_ = false;
 };
 

@@ -162,7 +162,10 @@ std::vector<Row> LaneLayout::rowsWithin(Area area, std::uint32_t first, std::uin
   return found;
 }
 
-void LaneLayout::keepRows(std::size_t count) { kept_ = rows(count, Rep::Byte); }
+void LaneLayout::keepRows(std::size_t count, std::size_t truths) {
+  kept_ = rows(count, Rep::Byte);
+  keptTruths_ = rows(truths, Rep::Truth);
+}
 
 std::uint64_t numberIn(const std::uint8_t* rows, Row row, std::size_t lane, Form form) {
   const std::uint8_t* const from = rows + row.at;

@@ -115,6 +115,7 @@ class LaneLayout {
   std::size_t error(std::uint64_t site) const { return errors_ + truthBytes * site; }
   std::size_t pending(std::uint64_t mark) const { return pending_ + truthBytes * mark; }
   std::size_t kept(std::size_t number) const { return kept_ + pieceBytes * number; }
+  std::size_t keptTruth(std::size_t number) const { return keptTruths_ + truthBytes * number; }
   std::size_t active() const { return active_; }  ///< traces that run
   std::size_t left() const { return active_ + truthBytes; }
   std::size_t scratch(std::size_t operand) const { return scratch_ + pieceBytes * mostPieces * operand; }
@@ -127,8 +128,8 @@ class LaneLayout {
   std::vector<Row> rowsWithin(Area area, std::uint32_t first, std::uint32_t count) const;
   /// Rows of single bytes.
   const ReachedRows& reached(Area area) const { return reached_[static_cast<std::size_t>(area)]; }
-  /// Room for so many rows that the emitter wants to keep from block to block.
-  void keepRows(std::size_t count);
+  /// Room for so many rows and truth values that the emitter wants to keep from block to block.
+  void keepRows(std::size_t count, std::size_t truths);
 
   struct Cell {
     Area area;
@@ -149,7 +150,7 @@ class LaneLayout {
     return at;
   }
 
-  std::size_t slots_ = 0, errors_ = 0, pending_ = 0, kept_ = 0, active_ = 0, scratch_ = 0;
+  std::size_t slots_ = 0, errors_ = 0, pending_ = 0, kept_ = 0, keptTruths_ = 0, active_ = 0, scratch_ = 0;
   std::vector<Row> states_;
   std::vector<std::optional<Row>> registers_;
   std::vector<Cell> cells_;

@@ -26,19 +26,34 @@ class X86LaneCode final : public LaneCode {
     asmjit::CodeHolder holder;
     if (holder.init(laneRuntime().environment()) != asmjit::kErrorOk) return;
     const Translation translation{code, isNeeded, layout, byTrace_, holder};
-    const bool isDone = layout.form == Form::Wide ? WideEmitter(translation).emit() : LaneEmitter(translation).emit();
-    if (!isDone) return;
-    if (laneRuntime().add(&function_, &holder) != asmjit::kErrorOk) function_ = nullptr;
+    if (layout.form == Form::Wide)
+      translate(WideEmitter(translation), holder);
+    else
+      translate(LaneEmitter(translation), holder);
   }
-  ~X86LaneCode() override { laneRuntime().release(function_); }
+  ~X86LaneCode() override { laneRuntime().release(code_); }
   X86LaneCode(const X86LaneCode&) = delete;
   X86LaneCode& operator=(const X86LaneCode&) = delete;
-  bool isThere() const { return function_ != nullptr; }
-  void run(std::uint8_t* rows) const override { function_(rows); }
+  bool isThere() const { return code_ != nullptr; }
+  void run(std::span<std::uint8_t* const> groups) const override {
+    for (const Part part : parts_) {
+      for (std::uint8_t* const rows : groups) part(rows);
+    }
+  }
 
  private:
+  using Part = void (*)(std::uint8_t* rows);
+
+  template <class Emitter>
+  void translate(Emitter&& emitter, asmjit::CodeHolder& holder) {
+    if (!emitter.emit() || laneRuntime().add(&code_, &holder) != asmjit::kErrorOk) return;
+    for (const asmjit::Label& entry : emitter.entries())
+      parts_.push_back(reinterpret_cast<Part>(code_ + holder.labelOffsetFromBase(entry)));
+  }
+
   std::deque<StepByTrace> byTrace_;
-  void (*function_)(std::uint8_t* rows) = nullptr;
+  std::uint8_t* code_ = nullptr;
+  std::vector<Part> parts_;
 };
 
 }  // namespace

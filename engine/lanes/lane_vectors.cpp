@@ -177,9 +177,7 @@ Vec LaneEmitter::made(ValueId id) {
   if (s.op == CodeOp::False || s.op == CodeOp::True) {
     value = constant(id, Rep::Truth);
   } else {
-    const auto kept = flow_.keptAt.find(id);
-    CHECK(kept != flow_.keptAt.end(), "a value that no block has made");
-    value = loaded({layout_.kept(kept->second), rep});
+    value = flow_.readAgain.contains(id) ? valueOf(s) : loaded(ofEarlierBlock(id));
   }
   hold(id, rep, false, value);
   return value;

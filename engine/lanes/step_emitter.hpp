@@ -34,15 +34,17 @@ class StepEmitter {
       : code_(t.code),
         layout_(t.layout),
         c_(&t.holder),
-        flow_(t.code, t.isNeeded, isWide),
+        flow_(t.code, t.isNeeded, isWide, t.layout.form == Form::Bits ? code_.steps.size() : stepsOfPart),
         labels_(flow_.lastBlock + 2),
         isNeeded_(t.isNeeded),
         byTrace_(t.byTrace),
         isWide_(isWide) {
-    layout_.keepRows(flow_.keptRows);
+    layout_.keepRows(flow_.keptRows, flow_.keptTruths);
   }
   /// False: the library could not do it.
   bool emit();
+  /// Where the functions begin that are called one behind the other.
+  const std::vector<asmjit::Label>& entries() const { return entries_; }
 
  protected:
   using Gp = asmjit::x86::Gp;
@@ -52,6 +54,10 @@ class StepEmitter {
   Mem at(std::size_t offset, std::uint32_t bytes) {
     return asmjit::x86::ptr(rows_, static_cast<std::int32_t>(offset), bytes);
   }
+  /// Where a value is kept for other blocks, if it is.
+  std::optional<Row> keptRow(ValueId id) const;
+  /// The same of one that must be.
+  Row ofEarlierBlock(ValueId id) const;
   /// The row of one byte of memory.
   Row byteRow(const Step& s, std::uint32_t k) const;
   /// A value of memory by its bytes: byte number k of the place by `single(k)`, the highest first.
@@ -74,13 +80,19 @@ class StepEmitter {
   ValueId step_ = 0;  ///< that is being emitted
 
  private:
+  /// The code of a part stays in the nearest cache while all groups go through it.
+  static constexpr std::size_t stepsOfPart = 600;
+
   Emitter& self() { return static_cast<Emitter&>(*this); }
+  void beginFunction();
+  void endFunction();
   void control(const Step& s);
   void checkTime();
 
   const std::vector<bool>& isNeeded_;
   std::deque<StepByTrace>& byTrace_;
   const bool isWide_;
+  std::vector<asmjit::Label> entries_;
   Gp position_;  ///< time that this scan has taken at most, 10 ns
 };
 
@@ -91,13 +103,8 @@ bool StepEmitter<Emitter, Value>::emit() {
     bool isThere = false;
   } error;
   c_.setErrorHandler(&error);
-  asmjit::FuncNode* const function = c_.addFunc(asmjit::FuncSignatureT<void, std::uint8_t*>());
-  function->frame().setAvxEnabled();
-  if (isWide_) function->frame().setAvx512Enabled();
-  function->frame().setAvxCleanup();
-  rows_ = c_.newGpq();
-  function->setArg(0, rows_);
   for (asmjit::Label& label : labels_) label = c_.newLabel();
+  beginFunction();
   self().begin();
   if (!code_.isStraight) {
     position_ = c_.newGpq();
@@ -105,6 +112,11 @@ bool StepEmitter<Emitter, Value>::emit() {
   }
   for (step_ = 0; step_ < code_.steps.size(); ++step_) {
     if (!isNeeded_[step_]) continue;
+    if (flow_.partsAt.contains(step_)) {
+      self().forgetAll();
+      endFunction();
+      beginFunction();
+    }
     const Step& s = code_.steps[step_];
     if (hasValue(s.op)) {
       if (!flow_.isFolded[step_]) self().value(step_);
@@ -119,11 +131,26 @@ bool StepEmitter<Emitter, Value>::emit() {
   if (code_.countsTime && !code_.isStraight) checkTime();
   c_.bind(labels_.back());
   self().end();
-  c_.ret();
-  c_.endFunc();
+  endFunction();
   const bool isFinal = c_.finalize() == asmjit::kErrorOk;
   c_.setErrorHandler(nullptr);
   return isFinal && !error.isThere;
+}
+
+template <class Emitter, class Value>
+void StepEmitter<Emitter, Value>::beginFunction() {
+  asmjit::FuncNode* const function = c_.addFunc(asmjit::FuncSignatureT<void, std::uint8_t*>());
+  function->frame().setAvxEnabled();
+  if (isWide_) function->frame().setAvx512Enabled();
+  function->frame().setAvxCleanup();
+  rows_ = c_.newGpq();
+  function->setArg(0, rows_);
+  entries_.push_back(function->label());
+}
+template <class Emitter, class Value>
+void StepEmitter<Emitter, Value>::endFunction() {
+  c_.ret();
+  c_.endFunc();
 }
 
 template <class Emitter, class Value>
@@ -132,6 +159,7 @@ void StepEmitter<Emitter, Value>::control(const Step& s) {
     case CodeOp::Leave: return self().leave(s);
     case CodeOp::Count: return self().count(s);
     case CodeOp::Mark: {
+      if (code_.isStraight) return;  // nobody branches there
       const bool joins = flow_.joins.contains(s.value);
       return beginBlock(flow_.blockOf[step_], joins ? std::optional(layout_.pending(s.value)) : std::nullopt);
     }
@@ -163,6 +191,20 @@ void StepEmitter<Emitter, Value>::beginBlock(std::uint32_t block, std::optional<
   if (waiting) self().join(*waiting);
   const ValueId next = step_ + (code_.steps[step_].op == CodeOp::Mark ? 0 : 1);
   if (flow_.isMaskedAt[std::min<std::size_t>(next, flow_.isMaskedAt.size() - 1)]) self().skipIfNobody(block);
+}
+
+template <class Emitter, class Value>
+std::optional<Row> StepEmitter<Emitter, Value>::keptRow(ValueId id) const {
+  const auto kept = flow_.keptAt.find(id);
+  if (kept == flow_.keptAt.end()) return std::nullopt;
+  const Rep rep = repFor(widthOf(code_.steps[id]));
+  return Row{rep == Rep::Truth ? layout_.keptTruth(kept->second) : layout_.kept(kept->second), rep};
+}
+template <class Emitter, class Value>
+Row StepEmitter<Emitter, Value>::ofEarlierBlock(ValueId id) const {
+  const auto row = keptRow(id);
+  CHECK(row.has_value(), "a value that no block has made");
+  return *row;
 }
 
 template <class Emitter, class Value>

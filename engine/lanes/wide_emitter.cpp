@@ -132,9 +132,9 @@ void WideEmitter::join(std::size_t waiting) {
 
 /// A value of a loop is kept for those only that run: others may still need theirs of an earlier round.
 void WideEmitter::keep(ValueId id) {
-  const auto kept = flow_.keptAt.find(id);
-  if (kept == flow_.keptAt.end()) return;
-  const std::size_t offset = layout_.kept(kept->second);
+  const auto kept = keptRow(id);
+  if (!kept) return;
+  const std::size_t offset = kept->at;
   const bool isMasked = flow_.isInLoop[id] && !flow_.isCommon[id];
   if (const auto found = scalars_.find(id); found != scalars_.end()) {
     c_.mov(at(offset, 8), found->second);

@@ -52,6 +52,7 @@ class WideEmitter : public StepEmitter<WideEmitter, WideNumber> {
   Number numberOf(const Step& s);
   Number arithmetic(const Step& s);
   Number select(const Step& s);
+  Number sumUnlessOverflow(const Step& s, const Step& sum);
   Number joinOf(const Step& s);
   Number real(const Step& s);
 
@@ -114,6 +115,7 @@ class WideEmitter : public StepEmitter<WideEmitter, WideNumber> {
   /// A truth value, or the lowest bit of a number; in a register, or where it stands in memory.
   Gp truth(ValueId id);
   asmjit::Operand truthSource(ValueId id);
+  void readHere(ValueId id);
   Gp writable(ValueId id);
   /// As a number of that form.
   Number use(ValueId id, Rep rep);
@@ -121,6 +123,8 @@ class WideEmitter : public StepEmitter<WideEmitter, WideNumber> {
   Masks masksOf(ValueId id, Rep rep);
   Masks masksFrom(const asmjit::Operand& truth, Rep rep);
   Gp truthFrom(const Masks& masks, Rep rep);
+  std::optional<std::size_t> placeOf(const asmjit::Operand& piece) const;
+  asmjit::Operand source(const asmjit::Operand& piece);
   Zmm inRegister(const asmjit::Operand& piece);
   void save(std::size_t offset, const Number& value);
   Number each(InstId id, const Number& a, const Number& b);

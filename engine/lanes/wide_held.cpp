@@ -11,7 +11,7 @@ namespace {
 /// Mask registers that hold something from step to step.
 constexpr std::size_t mostMasks = 4;
 /// Steps for which a register keeps what was read from a place and not used since.
-constexpr ValueId mostUnused = 24;
+constexpr ValueId mostUnused = 96;
 
 }  // namespace
 

@@ -25,9 +25,11 @@ x86::Gp WideEmitter::scalar(ValueId id) {
     c_.and_(value.r32(), 1);
     return value;
   }
-  const auto kept = flow_.keptAt.find(id);
-  CHECK(kept != flow_.keptAt.end(), "a value that no block has made");
-  c_.mov(value, at(layout_.kept(kept->second), 8));
+  if (flow_.readAgain.contains(id)) {
+    this->value(id);
+    return scalars_.at(id);
+  }
+  c_.mov(value, at(ofEarlierBlock(id).at, 8));
   holdScalar(id, value);
   return value;
 }

@@ -12,7 +12,7 @@ namespace {
 constexpr VectorForms signedOrder = {Inst::kIdVpcmpb, Inst::kIdVpcmpw, Inst::kIdVpcmpd, Inst::kIdVpcmpq};
 constexpr VectorForms unsignedOrder = {Inst::kIdVpcmpub, Inst::kIdVpcmpuw, Inst::kIdVpcmpud, Inst::kIdVpcmpuq};
 constexpr VectorForms signs = {Inst::kIdVpmovb2m, Inst::kIdVpmovw2m, Inst::kIdVpmovd2m, Inst::kIdVpmovq2m};
-constexpr std::uint32_t askEqual = 0, askLess = 1, askNotEqual = 4, askGreater = 6;
+constexpr std::uint32_t askEqual = 0, askLess = 1, askLessOrEqual = 2, askNotEqual = 4, askNotLess = 5, askGreater = 6;
 
 }  // namespace
 
@@ -32,6 +32,8 @@ x86::Gp WideEmitter::truthOf(const Step& s) {
     case CodeOp::And:
       if (flow_.isFolded[s.a]) return andNot(code_.steps[s.a].a, s.b);
       if (flow_.isFolded[s.b]) return andNot(code_.steps[s.b].a, s.a);
+      if (flow_.isFit[s.a]) return andNot(s.a, s.b);
+      if (flow_.isFit[s.b]) return andNot(s.b, s.a);
       return joined(Inst::kIdAnd);
     case CodeOp::Or: return joined(Inst::kIdOr);
     case CodeOp::Xor: return joined(Inst::kIdXor);
@@ -40,8 +42,14 @@ x86::Gp WideEmitter::truthOf(const Step& s) {
       c_.not_(to);
       return to;
     }
-    case CodeOp::SelectBit: {  // ((b ^ c) & a) ^ c
+    case CodeOp::SelectBit: {
       const Gp to = freshGp();
+      if (const auto taken = flow_.takenAt.find(step_); taken != flow_.takenAt.end()) {  // ab | -ac
+        c_.emit(Inst::kIdAndn, to, truth(s.a), truthSource(s.c));
+        c_.emit(Inst::kIdOr, to, truthSource(taken->second));
+        return to;
+      }
+      // ((b ^ c) & a) ^ c
       const asmjit::Operand off = truthSource(s.c);
       c_.emit(Inst::kIdMov, to, truthSource(s.b));
       c_.emit(Inst::kIdXor, to, off);
@@ -125,7 +133,8 @@ x86::Gp WideEmitter::overflowByConstant(const Step& s, const Number& a, std::uin
   if (added == 0) return truth(0);
   const std::int64_t bound = added > 0 ? most - added : least - added;
   const Number limit = constant(static_cast<std::uint64_t>(bound) & Concrete::mask(s.width), a.rep);
-  holdMasks(step_, a.rep, compared(formOf(signedOrder, a.rep), a, limit, added > 0 ? askGreater : askLess));
+  const std::uint32_t beyond = added > 0 ? askGreater : askLess, within = added > 0 ? askLessOrEqual : askNotLess;
+  holdMasks(step_, a.rep, compared(formOf(signedOrder, a.rep), a, limit, flow_.isFit[step_] ? within : beyond));
   return {};
 }
 

@@ -15,7 +15,7 @@ constexpr VectorForms blend = {Inst::kIdVpblendmb, Inst::kIdVpblendmw, Inst::kId
 void WideEmitter::value(ValueId id) {
   const Step& s = code_.steps[id];
   if (s.op == CodeOp::False || s.op == CodeOp::True || s.op == CodeOp::Constant) return;
-  if (flow_.isPatched[id]) return;
+  if (flow_.isPatched[id] || flow_.isSum[id]) return;
   const bool isKept = flow_.keptAt.contains(id);
   if (repFor(widthOf(s)) == Rep::Truth) {
     if (s.op == CodeOp::LoadBit && !isKept) {
@@ -98,14 +98,32 @@ WideNumber WideEmitter::arithmetic(const Step& s) {
   }
 }
 
+/// A sum where it does not overflow.
+WideNumber WideEmitter::sumUnlessOverflow(const Step& s, const Step& sum) {
+  const Rep rep = numberFor(s.width);
+  const Number other = use(s.b, rep), a = use(sum.a, rep), b = use(sum.b, rep);
+  const Masks fits = masksOf(s.a, rep);
+  Number to{rep};
+  for (std::size_t i = 0; i < pieceCount(rep); ++i) {
+    const Zmm result = freshZmm(), first = inRegister(a.piece[i]);
+    c_.emit(Inst::kIdVmovdqa64, result, source(other.piece[i]));
+    c_.k(fits[i]).emit(formOf(sum.op == CodeOp::Add ? forms::addition : forms::subtraction, rep), result, first,
+                       source(b.piece[i]));
+    to.piece[i] = result;
+  }
+  return to;
+}
+
 WideNumber WideEmitter::select(const Step& s) {
+  if (const auto sum = flow_.sumAt.find(step_); sum != flow_.sumAt.end())
+    return sumUnlessOverflow(s, code_.steps[sum->second]);
   const Rep rep = numberFor(s.width);
   const Number on = use(s.b, rep), off = use(s.c, rep);
   const Masks masks = masksOf(s.a, rep);
   Number to{rep};
   for (std::size_t i = 0; i < pieceCount(rep); ++i) {
     const Zmm chosen = freshZmm(), other = inRegister(off.piece[i]);
-    c_.k(masks[i]).emit(formOf(blend, rep), chosen, other, on.piece[i]);
+    c_.k(masks[i]).emit(formOf(blend, rep), chosen, other, source(on.piece[i]));
     to.piece[i] = chosen;
   }
   return to;

@@ -11,6 +11,7 @@ using namespace asmjit;  // its Operand: by its full name
 namespace Inst = x86::Inst;
 
 asmjit::Operand WideEmitter::truthSource(ValueId id) {
+  if (code_.steps[id].op == CodeOp::LoadBit) readHere(id);
   const auto slot = slotOf_.find(id);
   if (slot != slotOf_.end() && !truths_.contains(id)) return at(slot->second, wideTruthBytes);
   return truth(id);
@@ -19,6 +20,7 @@ asmjit::Operand WideEmitter::truthSource(ValueId id) {
 x86::Gp WideEmitter::truth(ValueId id) {
   const Step& s = code_.steps[id];
   if (const auto found = truths_.find(id); found != truths_.end()) return found->second;
+  if (s.op == CodeOp::LoadBit) readHere(id);
   Gp value;
   const Rep own = s.op == CodeOp::Constant ? Rep::Truth : repFor(widthOf(s));
   if (s.op == CodeOp::False || s.op == CodeOp::True || s.op == CodeOp::Constant) {
@@ -39,10 +41,8 @@ x86::Gp WideEmitter::truth(ValueId id) {
       if (masks != masks_.end()) value = truthFrom(masks->second, static_cast<Rep>(r));
     }
     if (!value.isValid()) {
-      const auto kept = flow_.keptAt.find(id);
-      CHECK(kept != flow_.keptAt.end(), "a value that no block has made");
       value = freshGp();
-      c_.mov(value, at(layout_.kept(kept->second), wideTruthBytes));
+      c_.mov(value, at(ofEarlierBlock(id).at, wideTruthBytes));
     }
   } else if (isScalar(id)) {
     value = copied(scalar(id));
@@ -54,6 +54,13 @@ x86::Gp WideEmitter::truth(ValueId id) {
   }
   holdTruth(id, value);
   return value;
+}
+
+/// What another block has read from memory and this one needs too.
+void WideEmitter::readHere(ValueId id) {
+  const bool isHere =
+      slotOf_.contains(id) || truths_.contains(id) || numbers_.contains(keyOf(id, repFor(widthOf(code_.steps[id]))));
+  if (flow_.readAgain.contains(id) && !isHere && flow_.blockOf[id] != flow_.blockOf[step_]) value(id);
 }
 
 /// A register with a truth value that may be changed: its own where it is used for the last time.
@@ -116,18 +123,28 @@ x86::Gp WideEmitter::truthFrom(const Masks& masks, Rep rep) {
   return value;
 }
 
-x86::Zmm WideEmitter::inRegister(const asmjit::Operand& piece) {
-  if (piece.isReg()) return piece.as<Zmm>();
+/// The place of the state where a piece stands.
+std::optional<std::size_t> WideEmitter::placeOf(const asmjit::Operand& piece) const {
+  if (!piece.isMem() || piece.as<Mem>().baseId() != rows_.id() || piece.as<Mem>().hasIndex()) return std::nullopt;
   const auto place = static_cast<std::size_t>(piece.as<Mem>().offset());
-  const bool isState =
-      piece.as<Mem>().baseId() == rows_.id() && !piece.as<Mem>().hasIndex() && place < layout_.stateEnd;
-  if (const auto copy = copies_.find(place); isState && copy != copies_.end()) {
-    copy->second.usedAt = step_;
-    return copy->second.reg;
-  }
+  return place < layout_.stateEnd ? std::optional(place) : std::nullopt;
+}
+
+/// The register that has been read from there a short while ago, or the piece itself.
+asmjit::Operand WideEmitter::source(const asmjit::Operand& piece) {
+  const auto place = placeOf(piece);
+  const auto copy = place ? copies_.find(*place) : copies_.end();
+  if (copy == copies_.end()) return piece;
+  copy->second.usedAt = step_;
+  return copy->second.reg;
+}
+
+x86::Zmm WideEmitter::inRegister(const asmjit::Operand& piece) {
+  const asmjit::Operand here = source(piece);
+  if (here.isReg()) return here.as<Zmm>();
   const Zmm reg = freshZmm();
   c_.vmovdqa64(reg, piece.as<Mem>());
-  if (isState) holdCopy(place, reg);
+  if (const auto place = placeOf(piece)) holdCopy(*place, reg);
   return reg;
 }
 
@@ -140,7 +157,8 @@ WideNumber WideEmitter::each(InstId id, const Number& a, const Number& b) {
   Number to{a.rep};
   for (std::size_t i = 0; i < pieceCount(a.rep); ++i) {
     const Zmm result = freshZmm();
-    c_.emit(id, result, inRegister(a.piece[i]), b.piece[i]);
+    const Zmm first = inRegister(a.piece[i]);
+    c_.emit(id, result, first, source(b.piece[i]));
     to.piece[i] = result;
   }
   return to;
@@ -150,7 +168,8 @@ WideEmitter::Masks WideEmitter::compared(InstId id, const Number& a, const Numbe
   Masks masks;
   for (std::size_t i = 0; i < pieceCount(a.rep); ++i) {
     masks[i] = freshMask();
-    c_.emit(id, masks[i], inRegister(a.piece[i]), b.piece[i], imm(how));
+    const Zmm first = inRegister(a.piece[i]);
+    c_.emit(id, masks[i], first, source(b.piece[i]), imm(how));
   }
   return masks;
 }
@@ -260,15 +279,14 @@ WideNumber WideEmitter::made(ValueId id) {
   if (s.op == CodeOp::Constant) return constant(s.value, std::max(Rep::Byte, repFor(s.width)));
   const Rep rep = repFor(widthOf(s));
   if (rep == Rep::Truth) return use(id, Rep::Byte);
+  if (s.op == CodeOp::LoadMemory) readHere(id);
   const auto found = numbers_.find(keyOf(id, rep));
   if (found != numbers_.end()) return found->second;
   Number value;
   if (isScalar(id)) {
     value = broadcast(scalar(id), rep);
   } else {
-    const auto kept = flow_.keptAt.find(id);
-    CHECK(kept != flow_.keptAt.end(), "a value that no block has made");
-    value = loaded({layout_.kept(kept->second), rep});
+    value = loaded(ofEarlierBlock(id));
   }
   holdNumber(id, value);
   return value;

@@ -1,8 +1,6 @@
 // Gives the traces their inputs, bit by bit for all of them.
 #include "tests/bench/native_many.hpp"
 
-#include <array>
-
 namespace rungproof::bench {
 
 namespace {
@@ -31,21 +29,20 @@ void transpose(std::array<std::uint64_t, 64>& rows) {
 }  // namespace
 
 ManySide::ManySide(const Program& program) : traces_(program, manyOptions(), count) {
+  sets_.fill(ManyTraces::TraceSet(count / 64));
   for (std::size_t trace = 0; trace < count; ++trace) inputs_.emplace_back(trace);
 }
 
 void ManySide::run(int scans) {
   for (int k = 0; k < scans; ++k) {
     if (count_++ % scansPerInput == 0) {
-      std::array<ManyTraces::TraceSet, 64> sets;
-      sets.fill(ManyTraces::TraceSet(count / 64));
       for (std::size_t word = 0; word < count / 64; ++word) {
         std::array<std::uint64_t, 64> bits;
         for (std::size_t i = 0; i < 64; ++i) bits[i] = inputs_[64 * word + i].next();
         transpose(bits);
-        for (std::size_t bit = 0; bit < 64; ++bit) sets[bit][word] = bits[bit];
+        for (std::size_t bit = 0; bit < 64; ++bit) sets_[bit][word] = bits[bit];
       }
-      for (std::uint32_t bit = 0; bit < 64; ++bit) traces_.setInput(bit / 8, bit % 8, sets[bit]);
+      for (std::uint32_t bit = 0; bit < 64; ++bit) traces_.setInput(bit / 8, bit % 8, sets_[bit]);
     }
     traces_.scan();
   }

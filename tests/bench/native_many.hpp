@@ -1,6 +1,7 @@
 // Many traces of a program of the benchmark against C, side by side, each with the inputs of its number.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "engine/lanes/many_traces.hpp"
@@ -18,6 +19,7 @@ class ManySide {
  private:
   ManyTraces traces_;
   std::vector<Inputs> inputs_;
+  std::array<ManyTraces::TraceSet, 64> sets_;  ///< by input: where it is on
   int count_ = 0;
 };
 
