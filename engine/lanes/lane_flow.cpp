@@ -15,8 +15,11 @@ LaneFlow::LaneFlow(const Code& code, const std::vector<bool>& isNeeded, bool see
   findMasks();
   findFolded();
   findTaken();
-  for (auto* marks : {&isSum, &isFit, &isPatched}) marks->assign(code.steps.size(), false);
+  for (auto* marks : {&isDeferred, &isFit, &isPatched}) marks->assign(code.steps.size(), false);
+  nextStore_.assign(code.steps.size(), 0);
+  if (code.isStraight) findNextStores();
   if (seesCommon) findSums();
+  if (seesCommon) findMerged();
   findKept();
   if (seesCommon) findPatched();
   findEnds();
@@ -101,10 +104,8 @@ void LaneFlow::findMasks() {
   }
 }
 
-/// By step of straight code that reads memory: the next one that writes there; 0 of others.
-std::vector<ValueId> LaneFlow::nextStores() const {
+void LaneFlow::findNextStores() {
   const auto never = static_cast<ValueId>(code_.steps.size());
-  std::vector<ValueId> next(code_.steps.size(), 0);
   std::unordered_map<std::uint64_t, ValueId> slots, bytes;
   std::array<ValueId, areaCount> reached;
   reached.fill(never);
@@ -122,20 +123,18 @@ std::vector<ValueId> LaneFlow::nextStores() const {
     for (std::uint64_t bit = 0; s.op == CodeOp::StoreSlots && bit < 8; ++bit) slots[s.value + bit] = i;
     for (std::uint64_t k = 0; s.op == CodeOp::StoreMemory && k < s.width / 8U; ++k) bytes[byteOf(s, k)] = i;
     if (s.op == CodeOp::StoreAt) reached[static_cast<std::size_t>(s.area)] = i;
-    if (s.op == CodeOp::LoadBit) next[i] = at(slots, s.value);
-    if (s.op == CodeOp::LoadMemory) next[i] = reached[static_cast<std::size_t>(s.area)];
+    if (s.op == CodeOp::LoadBit) nextStore_[i] = at(slots, s.value);
+    if (s.op == CodeOp::LoadMemory) nextStore_[i] = reached[static_cast<std::size_t>(s.area)];
     for (std::uint64_t k = 0; s.op == CodeOp::LoadMemory && k < s.width / 8U; ++k)
-      next[i] = std::min(next[i], at(bytes, byteOf(s, k)));
+      nextStore_[i] = std::min(nextStore_[i], at(bytes, byteOf(s, k)));
   }
-  return next;
 }
 
 void LaneFlow::findKept() {
-  const std::vector<ValueId> nextStore = partsAt.empty() ? std::vector<ValueId>(code_.steps.size(), 0) : nextStores();
   const auto uses = [&](ValueId user, ValueId id) {
     const CodeOp op = code_.steps[id].op;
     if (op == CodeOp::False || op == CodeOp::True || op == CodeOp::Constant || blockOf[id] == blockOf[user]) return;
-    if (user <= nextStore[id]) {
+    if (user <= nextStore_[id]) {
       readAgain.insert(id);
       return;
     }
@@ -148,7 +147,7 @@ void LaneFlow::findKept() {
     if (!isNeeded_[i]) continue;
     eachOperand(code_.steps[i], [&](ValueId id) {
       uses(i, isFolded[id] ? code_.steps[id].a : id);
-      if (isSum[id]) eachOperand(code_.steps[id], [&](ValueId part) { uses(i, part); });
+      if (isDeferred[id]) eachOperand(code_.steps[id], [&](ValueId part) { uses(i, part); });
     });
   }
   std::erase_if(readAgain, [&](ValueId id) { return keptAt.contains(id); });
@@ -231,7 +230,23 @@ void LaneFlow::findSums() {
     });
   }
   std::erase_if(sumAt, [&](const auto& entry) { return !isFit[code_.steps[entry.first].a]; });
-  for (const auto& [select, sum] : sumAt) isSum[sum] = true;
+  for (const auto& [select, sum] : sumAt) isDeferred[sum] = true;
+}
+
+void LaneFlow::findMerged() {
+  const std::vector<std::uint32_t> counts = useCounts();
+  for (ValueId i = 0; i < code_.steps.size(); ++i) {
+    const Step& s = code_.steps[i];
+    if (!isNeeded_[i] || s.op != CodeOp::StoreMemory) continue;
+    const Step &choice = code_.steps[s.a], &before = code_.steps[choice.c];
+    const bool isChoice = choice.op == CodeOp::Select && counts[s.a] == 1 && !isCommon[s.a] && !sumAt.contains(s.a) &&
+                          blockOf[s.a] == blockOf[i];
+    const bool isThere = before.op == CodeOp::LoadMemory && before.area == s.area && before.value == s.value &&
+                         before.width == s.width && nextStore_[choice.c] == i;
+    if (!isChoice || !isThere) continue;
+    merged.insert(s.a);
+    isDeferred[s.a] = true;
+  }
 }
 
 void LaneFlow::findEnds() {
@@ -246,7 +261,7 @@ void LaneFlow::findEnds() {
     eachOperand(s, [&](ValueId id) {
       use(id);
       if (isFolded[id] || isPatched[id]) use(code_.steps[id].a);
-      if (isSum[id]) eachOperand(code_.steps[id], use);
+      if (isDeferred[id]) eachOperand(code_.steps[id], use);
     });
     if (const auto taken = takenAt.find(i); taken != takenAt.end()) use(taken->second);
     if (hasValue(s.op)) use(i);

@@ -30,11 +30,13 @@ class LaneFlow {
   std::vector<bool> isFolded;                    ///< negations that only And of their block uses
   std::unordered_map<ValueId, ValueId> takenAt;  ///< SelectBit: And of its condition and of what it chooses
   std::unordered_map<ValueId, ValueId> sumAt;    ///< Select: the sum that it makes itself, where that does not overflow
-  std::vector<bool> isSum;                       ///< such sums
-  std::vector<bool> isFit;                       ///< overflows that are held as their opposite
-  std::vector<bool> isPatched;                   ///< upper parts of numbers that only get other lower parts
-  std::vector<std::vector<ValueId>> endsAt;      ///< by step: values that the block uses no more
-  std::vector<bool> isCommon;                    ///< by step: a value, or the way that a branch takes
+  /// Select: only a store wants it, a choice between a new value and what stands there already.
+  std::unordered_set<ValueId> merged;
+  std::vector<bool> isDeferred;              ///< such sums and choices: made where they are used
+  std::vector<bool> isFit;                   ///< overflows that are held as their opposite
+  std::vector<bool> isPatched;               ///< upper parts of numbers that only get other lower parts
+  std::vector<std::vector<ValueId>> endsAt;  ///< by step: values that the block uses no more
+  std::vector<bool> isCommon;                ///< by step: a value, or the way that a branch takes
   struct Guarded {
     Area area;
     std::uint32_t first, count;
@@ -55,10 +57,11 @@ class LaneFlow {
   void findRegisters();
   bool isGuarded(Area area, std::uint64_t byte) const;
   void findKept();
-  std::vector<ValueId> nextStores() const;
+  void findNextStores();
   void findFolded();
   void findTaken();
   void findSums();
+  void findMerged();
   bool isSumUnlessOverflow(ValueId select) const;
   std::vector<std::uint32_t> useCounts() const;
   void findPatched();
@@ -67,6 +70,8 @@ class LaneFlow {
   void findEnds();
 
   std::vector<std::uint64_t> commonAtEnd_;  ///< registers
+  std::vector<ValueId>
+      nextStore_;  ///< by step of straight code that reads memory: the next one that writes there; or 0
   const Code& code_;
   const std::vector<bool>& isNeeded_;
 };

@@ -81,6 +81,7 @@ class WideEmitter : public StepEmitter<WideEmitter, WideNumber> {
   void storeByteOf(const Number& value, std::uint32_t k, const Mem& to, const Mask* mask);
   void store(const Step& s);
   void storeRow(Row row, ValueId id);
+  void storeMerged(Row row, const Step& choice);
   void storeTruth(std::size_t offset, const Gp& value);
   void storeNumber(std::size_t offset, const Number& value);
   void storePiece(const Mem& to, const Zmm& value, Rep rep, const Mask* mask);
@@ -108,6 +109,7 @@ class WideEmitter : public StepEmitter<WideEmitter, WideNumber> {
   void release();
   void forgetAll();
   void drop(const Number& value);
+  void dropNumber(std::uint64_t key);
   /// Values that are read from a place in memory each time are loaded before it is written.
   void beforeStore(std::size_t first, std::size_t count);
 

@@ -69,6 +69,13 @@ void WideEmitter::drop(const Number& value) {
   }
 }
 
+void WideEmitter::dropNumber(std::uint64_t key) {
+  const auto found = numbers_.find(key);
+  if (found == numbers_.end()) return;
+  drop(found->second);
+  numbers_.erase(found);
+}
+
 /// Behind a step: what nobody needs any more is free.
 void WideEmitter::release() {
   for (const ValueId id : flow_.endsAt[step_]) {
@@ -81,10 +88,7 @@ void WideEmitter::release() {
     slotOf_.erase(id);
     for (int r = static_cast<int>(Rep::Byte); r <= static_cast<int>(Rep::Quad); ++r) {
       const std::uint64_t key = keyOf(id, static_cast<Rep>(r));
-      if (const auto found = numbers_.find(key); found != numbers_.end()) {
-        drop(found->second);
-        numbers_.erase(found);
-      }
+      dropNumber(key);
       if (const auto found = masks_.find(key); found != masks_.end()) {
         for (std::size_t i = 0; i < pieceCount(static_cast<Rep>(r)); ++i) maskPool_.drop(found->second[i]);
         masks_.erase(found);

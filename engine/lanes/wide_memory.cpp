@@ -36,10 +36,24 @@ void WideEmitter::storeRow(Row row, ValueId id) {
     c_.mov(at(row.at, wideTruthBytes), truth(id));
     return;
   }
+  if (flow_.merged.contains(id)) return storeMerged(row, code_.steps[id]);
   const Number value = use(id, row.rep);
   beforeStore(row.at, wideBytes * pieceCount(row.rep));
   if (isMasked) return storeNumber(row.at, value);
   save(row.at, value);
+}
+
+/// Those of the condition get a new value, the others keep what stands there.
+void WideEmitter::storeMerged(Row row, const Step& choice) {
+  const Number value = use(choice.b, row.rep);
+  Number held{row.rep};
+  for (std::size_t i = 0; i < pieceCount(row.rep); ++i) held.piece[i] = inRegister(value.piece[i]);
+  const Masks masks = masksOf(choice.a, row.rep);
+  const auto& ends = flow_.endsAt[step_];
+  if (std::find(ends.begin(), ends.end(), choice.c) != ends.end()) dropNumber(keyOf(choice.c, row.rep));
+  beforeStore(row.at, wideBytes * pieceCount(row.rep));
+  for (std::size_t i = 0; i < pieceCount(row.rep); ++i)
+    storePiece(at(row.at + wideBytes * i), held.piece[i].as<Zmm>(), row.rep, &masks[i]);
 }
 
 void WideEmitter::store(const Step& s) {
@@ -84,7 +98,9 @@ void WideEmitter::storeMemory(const Step& s) {
   }
   if (const auto row = layout_.cell(s.area, static_cast<std::uint32_t>(s.value), static_cast<int>(bytes)))
     return storeRow(*row, s.a);
-  const Number value = isScalar(s.a) ? Number{} : use(s.a, repFor(s.width));
+  const Number value = isScalar(s.a)                ? Number{}
+                       : flow_.merged.contains(s.a) ? select(code_.steps[s.a])
+                                                    : use(s.a, repFor(s.width));
   for (std::uint32_t k = 0; k < bytes; ++k) {
     const std::size_t to = byteRow(s, k).at;
     const std::uint32_t number = bytes - 1 - k;

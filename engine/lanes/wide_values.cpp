@@ -15,7 +15,7 @@ constexpr VectorForms blend = {Inst::kIdVpblendmb, Inst::kIdVpblendmw, Inst::kId
 void WideEmitter::value(ValueId id) {
   const Step& s = code_.steps[id];
   if (s.op == CodeOp::False || s.op == CodeOp::True || s.op == CodeOp::Constant) return;
-  if (flow_.isPatched[id] || flow_.isSum[id]) return;
+  if (flow_.isPatched[id] || flow_.isDeferred[id]) return;
   const bool isKept = flow_.keptAt.contains(id);
   if (repFor(widthOf(s)) == Rep::Truth) {
     if (s.op == CodeOp::LoadBit && !isKept) {

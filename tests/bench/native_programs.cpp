@@ -120,11 +120,11 @@ std::string pointers() {
 }  // namespace
 
 std::vector<NativeProgram> nativePrograms(std::uint64_t seed) {
-  return {{"bit logic, 1,000 instructions", bits(seed, 1000), 0.5, 0.4, 15},
-          {"bit logic, 10,000 instructions", bits(seed + 1, 10000), 0.5, 0.75, 60},
-          {"bits and words, 1,000 instructions", mixed(seed + 2, 1000), 0.3, 0.25, 3.5},
-          {"100 calls with parameters", calls(seed + 3), 0.3, 0.17, 1.8},
-          {"pointer loops", pointers(), 0.3, 0.24, 3.5}};
+  return {{"bit logic, 1,000 instructions", bits(seed, 1000), 0.5, 0.4, 22},
+          {"bit logic, 10,000 instructions", bits(seed + 1, 10000), 0.5, 0.75, 70},
+          {"bits and words, 1,000 instructions", mixed(seed + 2, 1000), 0.3, 0.25, 4.4},
+          {"100 calls with parameters", calls(seed + 3), 0.3, 0.2, 4.4},
+          {"pointer loops", pointers(), 0.3, 0.24, 4}};
 }
 
 }  // namespace rungproof::bench

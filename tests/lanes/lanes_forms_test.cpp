@@ -18,7 +18,7 @@ Program mainOf(const std::string& text) {
 }
 
 /// Runs the program with all that the processor has; gives the share of its scans that ran side by side, in percent.
-std::size_t agreeing(const std::string& text) {
+std::size_t agreeing(const std::string& text, std::uint32_t leastMs = 10) {
   const Program program = mainOf(text);
   for (const Finding& finding : program.findings) EXPECT_NE(finding.severity, Severity::Error) << finding.message;
   std::size_t least = 100;
@@ -29,6 +29,7 @@ std::size_t agreeing(const std::string& text) {
       RandomSource random(seed);
       ManyOptions options;
       options.most = most;
+      options.leastMs = leastMs;
       const ManyOutcome outcome = runBeside(program, random, options);
       EXPECT_EQ(outcome.hindrance, "");
       EXPECT_EQ(outcome.difference, "") << "seed " << seed << ", vectors " << static_cast<int>(most);
@@ -97,6 +98,22 @@ TEST(LaneForms, SumsThatOverflow) {
                           "-D 2000000000, VD36", "-D -2000000000, VD40", "-I -32768, VW44", "+I -32768, VW46"})
     text += std::string("LDN I0.0\n") + sum + "\nLD SM1.1\nS Q0.1, 1\nLD SM1.0\n= Q0.2\nLD SM1.2\n= Q0.3\n";
   EXPECT_EQ(agreeing(text + "END_ORGANIZATION_BLOCK\n"), 100U);
+}
+
+/// What one part has read, computed and chosen, later ones use; in between others of the same words are written.
+TEST(LaneForms, StraightCodeOfSeveralParts) {
+  std::string text;
+  const auto word = [](int number) { return "VW" + std::to_string(2 * (number % 31)); };
+  for (int k = 0; k < 120; ++k) {
+    const std::string bit = std::to_string(k % 8);
+    text += "LD I0." + bit + "\nAN M" + std::to_string(k % 5) + "." + bit + "\n+I " + std::to_string(900 + k) + ", " +
+            word(7 * k) + "\nMOVW " + word(7 * k) + ", " + word(11 * k + 3) + "\nLDN I0." + bit + "\n-I " +
+            word(5 * k + 1) + ", " + word(7 * k + 2) + "\nAENO\n= M" + std::to_string(k % 7) + "." + bit +
+            "\nLDW>= " + word(3 * k) + ", " + std::to_string(100 * k) + "\nMOVW " + word(13 * k) + ", " +
+            word(3 * k + 1) + "\nS Q0." + bit + ", 1\n";
+  }
+  text += "LD SM1.0\n= Q1.0\nLD SM1.1\n= Q1.1\nLD SM1.2\n= Q1.2\nEND_ORGANIZATION_BLOCK\n";
+  EXPECT_EQ(agreeing(text, 200), 100U);
 }
 
 }  // namespace

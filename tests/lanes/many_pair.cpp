@@ -75,7 +75,8 @@ ManyOutcome runBeside(const Program& program, RandomSource& random, const ManyOp
     if (options.writesMemory && random.chance(60))
       write(direct(options.words, Width::Word, options.firstByte + random.below(64), 0));
     if (options.writesMemory && random.chance(40)) write(direct(Area::M, Width::Byte, random.below(8), 0));
-    const std::uint32_t lengthUs = options.isTight ? 200 + random.below(30000) : 1000 * (10 + random.below(20));
+    const std::uint32_t lengthUs =
+        options.isTight ? 200 + random.below(30000) : 1000 * (options.leastMs + random.below(20));
     many.scan(lengthUs);
     outcome.traceScans += traceCount;
     outcome.sideBySide += many.sideBySide();

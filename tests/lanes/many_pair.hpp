@@ -18,8 +18,9 @@ struct ManyOutcome {
 
 struct ManyOptions {
   int scans = 40;
-  bool isTight = false;      ///< scans may be shorter than the program, and are no whole ms
-  bool writesMemory = true;  ///< somebody writes into M and these 128 bytes between the scans
+  std::uint32_t leastMs = 10;  ///< of a scan
+  bool isTight = false;        ///< scans may be shorter than the program, and are no whole ms
+  bool writesMemory = true;    ///< somebody writes into M and these 128 bytes between the scans
   Area words = Area::V;
   std::uint32_t firstByte = 0;
   SimulatorOptions engine{};
