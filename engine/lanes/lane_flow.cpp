@@ -233,6 +233,7 @@ void LaneFlow::findSums() {
   for (const auto& [select, sum] : sumAt) isDeferred[sum] = true;
 }
 
+/// Nobody has written there since what stands there was read, and nobody but the store asks for the choice.
 void LaneFlow::findMerged() {
   const std::vector<std::uint32_t> counts = useCounts();
   for (ValueId i = 0; i < code_.steps.size(); ++i) {

@@ -1,7 +1,7 @@
 // LaneFlow: what is found out about recorded code before vector instructions are made of it: its blocks, where traces
 // may wait elsewhere meanwhile, which values other blocks use and where a value is used for the last time. Where it is
 // asked for, also which values all traces have in common: what follows from constants alone, where all of them went the
-// same way. Such a value is one number, a branch on it one jump.
+// same way. Such a value is one number, a branch on it one jump. Straight code has parts in place of blocks.
 #pragma once
 
 #include <unordered_map>
