@@ -42,9 +42,10 @@ class HeldInputs final : public Engine {
         return verdict;
       }
       ++scan_;
+      simulator_.step();
+      if (scan_ % 2 == 0) endThoseThatComeBack();
       const std::size_t done = static_cast<std::size_t>(scan_) * (system_.gates.size() + system_.latches.size());
       isExhausted_ = live_ == 0 || scan_ >= schedule::longestHeldRun || done > schedule::gatesOfHeldRuns;
-      simulator_.step();
     }
     return verdict;
   }
@@ -115,6 +116,17 @@ class HeldInputs final : public Engine {
       simulator_.setLatch(i, system_.latches[i].init == LatchInit::One ? ~0ULL : 0);
   }
 
+  /// A run that is in a state in which it was in the same turn shows nothing new. The state that is looked for is a
+  /// later one each time, twice as late as before, so that it lies on the circle in the end.
+  void endThoseThatComeBack() {
+    std::uint64_t same = live_;
+    for (std::size_t i = 0; i < earlier_.size() && same != 0; ++i) same &= ~(simulator_.latch(i) ^ earlier_[i]);
+    if (!earlier_.empty()) live_ &= ~same;
+    if (!std::has_single_bit(static_cast<unsigned>(scan_))) return;
+    earlier_.resize(system_.latches.size());
+    for (std::size_t i = 0; i < earlier_.size(); ++i) earlier_[i] = simulator_.latch(i);
+  }
+
   BitTrace traceOf(int lane) const {
     BitTrace trace;
     for (const Latch& latch : system_.latches) trace.initial.push_back(latch.init == LatchInit::One);
@@ -137,6 +149,7 @@ class HeldInputs final : public Engine {
   bool areChosen_ = false, isExhausted_ = false;
   std::array<std::vector<std::uint64_t>, 2> lanes_;  ///< by turn, then input
   std::uint64_t live_ = ~0ULL;
+  std::vector<std::uint64_t> earlier_;  ///< by latch: the state of all runs some time ago, in the first turn
   int scan_ = 0;
 };
 
