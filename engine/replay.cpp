@@ -1,4 +1,4 @@
-// Runs a script of scans and keeps the state after each.
+// The engine asks the script for what is not in its memory; scans that are alike ask the same one.
 #include "engine/replay.hpp"
 
 #include <algorithm>
@@ -8,23 +8,29 @@
 
 namespace rungproof {
 
-namespace {
-
 /// Hands out the external values of one scan in the order in which they are asked for.
-class Script final : public Outside {
+class ReplayRun::Script final : public Outside {
  public:
   explicit Script(const Choices& choices) : unknown_(choices.is(Choice::UnknownBits, "one") ? ~0ULL : 0) {}
 
-  /// The values of the scans to come, until others are loaded.
+  /// The values of the scans to come, until others are loaded. Unknown bits that are all 0 need not be given.
   void load(const std::vector<ExternalValue>& values) {
     finish();
     sites_.clear();
     next_ = 0;
-    for (const ExternalValue& value : values) sites_.push_back({key(value.site), {}, 0});
+    givesUnknownBits_ = unknown_ != 0 || std::ranges::any_of(values, [](const ExternalValue& value) {
+                          return isOpen(value.site.kind) && value.value != 0;
+                        });
+    const auto isGiven = [&](const ExternalValue& value) { return givesUnknownBits_ || !isOpen(value.site.kind); };
+    for (const ExternalValue& value : values) {
+      if (isGiven(value)) sites_.push_back({key(value.site), {}, 0});
+    }
     std::sort(sites_.begin(), sites_.end(), [](const Site& a, const Site& b) { return a.key < b.key; });
     sites_.erase(std::unique(sites_.begin(), sites_.end(), [](const Site& a, const Site& b) { return a.key == b.key; }),
                  sites_.end());
-    for (const ExternalValue& value : values) at(key(value.site))->values.push_back(value.value);
+    for (const ExternalValue& value : values) {
+      if (isGiven(value)) at(key(value.site))->values.push_back(value.value);
+    }
   }
   /// Each scan starts with all of them.
   void begin() {
@@ -33,11 +39,7 @@ class Script final : public Outside {
     isBegun_ = true;
   }
   /// Whether unknown bits have other values than 0 in the scans to come.
-  bool givesUnknownBits() const {
-    return unknown_ != 0 || std::ranges::any_of(sites_, [](const Site& site) {
-             return isUnknown(std::get<External>(site.key)) || std::get<External>(site.key) == External::UnknownResult;
-           });
-  }
+  bool givesUnknownBits() const { return givesUnknownBits_; }
   std::uint64_t external(const ExternalSite& site, int) override {
     const Key wanted = key(site);
     const bool isNext =
@@ -61,6 +63,8 @@ class Script final : public Outside {
   static bool isUnknown(External kind) {
     return kind == External::StackBottom || kind == External::LocalMemory || kind == External::UnknownStatus;
   }
+  /// Where the engine reads 0 without a question as long as nothing else is given.
+  static bool isOpen(External kind) { return isUnknown(kind) || kind == External::UnknownResult; }
   using Key = std::tuple<External, std::uint32_t, std::uint32_t>;
   static Key key(const ExternalSite& site) { return {site.kind, site.index, site.instruction}; }
   struct Site {
@@ -82,46 +86,78 @@ class Script final : public Outside {
   std::vector<Site> sites_;  ///< by key
   std::size_t next_ = 0;     ///< where a scan looks next, mostly: it asks in this order
   bool isBegun_ = false;
+  bool givesUnknownBits_ = false;
   std::size_t unused_ = 0;
 };
-
-}  // namespace
 
 std::uint64_t quietExternal(const ExternalSite& site) {
   return site.kind == External::ClockByte ? RealTimeClock{}.byteAt(site.index, 0) : 0;
 }
 
+struct ReplayRun::Parts {
+  Script script;
+  Simulator simulator;
+  ScanScript scanScript{};
+  std::uint32_t lengthUs = 0;
+  bool isWatched;
+
+  Parts(const Program& program, const Choices& choices, bool hasWatcher)
+      : script(choices), simulator(program, optionsOf(choices), &script), isWatched(hasWatcher) {}
+  static SimulatorOptions optionsOf(const Choices& choices) {
+    SimulatorOptions options;
+    options.choices = choices;
+    options.engine = EngineKind::Reference;  // what it repeats shall count
+    return options;
+  }
+};
+
+ReplayRun::ReplayRun(const Program& program, const Choices& choices, const Concrete::Store* initial,
+                     InstructionObserver* watcher)
+    : parts_(std::make_unique<Parts>(program, choices, watcher != nullptr)) {
+  if (initial != nullptr) parts_->simulator.setStore(*initial);
+  if (watcher != nullptr) parts_->simulator.observe(watcher);
+}
+
+ReplayRun::~ReplayRun() = default;
+
+void ReplayRun::load(const ReplayScan& scan) {
+  Parts& parts = *parts_;
+  parts.scanScript = scan.script;
+  parts.scanScript.needsCauses = true;
+  parts.lengthUs = scan.lengthMs * 1000;
+  for (const PresetValue& input : scan.inputs) parts.simulator.write(input.operand, input.value);
+  parts.script.load(scan.externals);
+  parts.simulator.readUnknownAsZero(!parts.isWatched && !parts.script.givesUnknownBits());
+}
+
+const Concrete::Store& ReplayRun::scan() {
+  parts_->script.begin();
+  parts_->simulator.scan({.lengthUs = parts_->lengthUs, .script = &parts_->scanScript});
+  return parts_->simulator.store();
+}
+
+bool ReplayRun::isRunning() const { return parts_->simulator.isRunning(); }
+const std::vector<RunTimeError>& ReplayRun::errors() const { return parts_->simulator.errors().list(); }
+std::size_t ReplayRun::unusedExternals() const { return parts_->script.unused(); }
+
 ReplayResult replay(const Program& program, const Choices& choices, const std::vector<ReplayScan>& scans,
                     const Concrete::Store* initial, const ReplayObserver& observer, InstructionObserver* watcher) {
-  Script script(choices);
-  SimulatorOptions options;
-  options.choices = choices;
-  options.engine = EngineKind::Reference;  // what it repeats shall count
-  Simulator simulator(program, options, &script);
-  if (initial != nullptr) simulator.setStore(*initial);
-  if (watcher != nullptr) simulator.observe(watcher);
+  ReplayRun run(program, choices, initial, watcher);
   ReplayResult result;
   bool goesOn = true;
-  ScanScript scanScript;
   for (std::size_t i = 0; i < scans.size() && goesOn; ++i) {
-    const ReplayScan& scan = scans[i];
-    scanScript = scan.script;
-    scanScript.needsCauses = true;
-    for (const PresetValue& input : scan.inputs) simulator.write(input.operand, input.value);
-    script.load(scan.externals);
-    simulator.readUnknownAsZero(watcher == nullptr && !script.givesUnknownBits());
-    for (std::uint32_t round = 0; round < scan.repeats && goesOn; ++round) {
-      script.begin();
-      simulator.scan({.lengthUs = scan.lengthMs * 1000, .script = &scanScript});
+    run.load(scans[i]);
+    for (std::uint32_t round = 0; round < scans[i].repeats && goesOn; ++round) {
+      const Concrete::Store& state = run.scan();
       if (observer)
-        goesOn = observer(simulator.store(), i);
+        goesOn = observer(state, i);
       else
-        result.states.push_back(simulator.store());
-      goesOn = goesOn && simulator.isRunning();
+        result.states.push_back(state);
+      goesOn = goesOn && run.isRunning();
     }
   }
-  result.errors = simulator.errors().list();
-  result.unusedExternals = script.unused();
+  result.errors = run.errors();
+  result.unusedExternals = run.unusedExternals();
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "engine/concrete.hpp"
@@ -52,6 +53,32 @@ struct ReplayResult {
 
 /// Whether the scan that left this state has an end: a scan that a fatal error ends has none (001:13906-13910).
 inline bool hasScanEnd(const Concrete::Store& state) { return state.get(Reg::Fault, 0) == 0; }
+
+/// The same scan by scan, for scripts that are made on the way.
+class ReplayRun {
+ public:
+  /// Begins with `initial`, or with power-up if it is nullptr. `watcher`: is shown every instruction; may be nullptr.
+  ReplayRun(const Program& program, const Choices& choices, const Concrete::Store* initial = nullptr,
+            InstructionObserver* watcher = nullptr);
+  ~ReplayRun();
+  ReplayRun(const ReplayRun&) = delete;
+  ReplayRun& operator=(const ReplayRun&) = delete;
+
+  /// What is given to each of the scans to come.
+  void load(const ReplayScan& scan);
+  /// Makes a scan; gives the state after it.
+  const Concrete::Store& scan();
+  /// False after a scan that a fatal error or STOP ended.
+  bool isRunning() const;
+  const std::vector<RunTimeError>& errors() const;
+  /// As ReplayResult has them, of the scans so far.
+  std::size_t unusedExternals() const;
+
+ private:
+  class Script;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
 
 /// Is shown the state after each scan and the index of its ReplayScan; false ends the replay.
 using ReplayObserver = std::function<bool(const Concrete::Store& state, std::size_t scan)>;

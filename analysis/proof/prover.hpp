@@ -32,7 +32,7 @@ struct ProverOptions {
   std::uint64_t memory = 0;   ///< bytes; 0: no limit
   CheckGroups checks;         ///< what is asked beside the declared properties
   bool certificates = false;  ///< write out the proofs as SMT-LIB 2
-  bool explains = true;       ///< name what results rest on; without: outcomes and runs only
+  bool explains = true;       ///< name what results rest on; without: outcomes, and runs of properties only
   bool evidence = true;       ///< check certificates, shorten witnesses, name networks; without: verdicts only
   Techniques techniques{};    ///< what may be used
   bool usesCone = true;       ///< encode only networks that can have an effect on what is asked (cone_of_influence.hpp)

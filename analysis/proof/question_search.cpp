@@ -427,7 +427,8 @@ std::optional<Witness> QuestionSearch::replayedCheck(const TransitionSystem& sys
   const QuestionWitness asked(exact_->askedProperties().encoding(), exact_->system(),
                               exact_->system().questions[question].bad, replayedCone_->second);
   std::optional<ExactRun> run = asked.runOf(system, trace, options_.time);
-  std::optional<Witness> witness = run ? asked.witness(program_, options_.choices, *run) : std::nullopt;
+  const auto kept = options_.explains ? QuestionWitness::Kept::Scans : QuestionWitness::Kept::Length;
+  std::optional<Witness> witness = run ? asked.witness(program_, options_.choices, *run, kept) : std::nullopt;
   const std::size_t check = question - goals_.size();
   const bool isShownToPeople = options_.evidence && options_.explains && check < exact_->checks().size() &&
                                isAskedByProve(*exact_->checks()[check].rule);

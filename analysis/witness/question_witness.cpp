@@ -171,8 +171,8 @@ std::optional<ExactRun> QuestionWitness::runOf(const TransitionSystem& found, co
   return std::nullopt;
 }
 
-std::optional<Witness> QuestionWitness::witness(const Program& program, const Choices& choices,
-                                                const ExactRun& given) const {
+std::optional<Witness> QuestionWitness::witness(const Program& program, const Choices& choices, const ExactRun& given,
+                                                Kept kept) const {
   const std::vector<Node> watched{bad_};
   ScanRun run(encoding_, system_, watched);
   begin(run, system_, given);
@@ -196,27 +196,33 @@ std::optional<Witness> QuestionWitness::witness(const Program& program, const Ch
     if (cell.kind == CellKind::State && state != stateOf.end() && !isPhase && cone_.contains(indexOf(cell.start)))
       compared.push_back({cell.place, system_.states[state->second].next});
   }
-  std::vector<std::vector<std::uint64_t>> predicted;
+  // Alike scans of a long run are one that is repeated: nobody looks at them one by one.
+  const bool isLong = given.inputs.size() > schedule::minimisedScans;
+  ReplayRun engine(program, choices, witness.initial ? &*witness.initial : nullptr);
   for (std::size_t scan = 0; scan < given.inputs.size(); ++scan) {
     setInputs(run, system_, given.inputs[scan]);
     if (!run.evaluate()) return std::nullopt;
-    witness.scans.push_back(run.script());
-    witness.scans.back().lengthMs = given.lengths[scan];
-    std::vector<std::uint64_t>& after = predicted.emplace_back();
-    for (const Compared& c : compared) after.push_back(run[c.next]);
+    const bool isNew = run.isScriptNew() || given.lengths[scan] != given.lengths[scan - 1];
+    if (isNew || !isLong) {
+      if (kept == Kept::Length) witness.scans.clear();
+      witness.scans.push_back(run.script());
+      witness.scans.back().lengthMs = given.lengths[scan];
+      engine.load(witness.scans.back());
+    } else {
+      ++witness.scans.back().repeats;
+    }
+    if (engine.isRunning()) {
+      const Concrete::Store& state = engine.scan();
+      for (const Compared& c : compared) {
+        if (valueAt(c.place, state) != run[c.next]) return std::nullopt;
+      }
+    }
     if (scan + 1 < given.inputs.size()) run.advance();
     witness.milliseconds += given.lengths[scan];
     ++witness.scanCount;
   }
   if (run[bad_] == 0) return std::nullopt;
-  bool agrees = true;
-  replay(program, choices, witness.scans, witness.initial ? &*witness.initial : nullptr,
-         [&](const Concrete::Store& state, std::size_t at) {
-           for (std::size_t i = 0; i < compared.size() && agrees; ++i)
-             agrees = valueAt(compared[i].place, state) == predicted[at][i];
-           return agrees;
-         });
-  if (!agrees) return std::nullopt;
+  if (kept == Kept::Length) witness.scans.clear();
   return witness;
 }
 

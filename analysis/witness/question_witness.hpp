@@ -31,8 +31,11 @@ class QuestionWitness {
   /// The run that `trace` of another system over the same program describes, up to the scan in which the question's
   /// node is 1; nothing if it never is. Scans longer than the range become several.
   std::optional<ExactRun> runOf(const TransitionSystem& found, const WordTrace& trace, const TimeRange& range) const;
+  /// What is kept of a run that the engine repeats: scans, or how many they are and how long they last.
+  enum class Kept : std::uint8_t { Scans, Length };
   /// The run as the engine repeats it; nothing if it does not.
-  std::optional<Witness> witness(const Program& program, const Choices& choices, const ExactRun& run) const;
+  std::optional<Witness> witness(const Program& program, const Choices& choices, const ExactRun& run,
+                                 Kept kept = Kept::Scans) const;
   /// Sets inputs that do not matter to 0; `matters`, as in Witness, tells which do. "Any value" is tried with 0, with
   /// all ones, and with random values for all idle inputs together. False if `seconds` were not enough.
   bool dropIdle(ExactRun& run, std::vector<std::vector<bool>>& matters, double seconds, std::uint64_t seed) const;

@@ -13,9 +13,38 @@ std::uint64_t valueAt(const Place& place, const Concrete::Store& state) {
   return value;
 }
 
+/// What a script depends on.
+std::vector<Node> ScanRun::scriptNodes(const EncodedScan& scan) {
+  std::vector<Node> nodes;
+  for (const ScanInput& input : scanInputsOf(scan)) nodes.push_back(input.node);
+  nodes.push_back(scan.time().dt());
+  for (const ExternalInput& e : scan.externals()) {
+    nodes.push_back(e.guard);
+    if (e.node != noNode) nodes.push_back(e.node);
+  }
+  for (const DeviceWrite& write : scan.deviceWrites()) {
+    nodes.push_back(write.guard);
+    nodes.push_back(write.value);
+  }
+  for (const TickSite& t : scan.tickSites()) {
+    nodes.push_back(t.where.guard);
+    nodes.push_back(t.ticks);
+  }
+  for (const EventSite& e : scan.eventSites()) {
+    nodes.push_back(e.where.guard);
+    nodes.push_back(e.fires);
+    nodes.push_back(e.waited);
+  }
+  for (const BoundarySite* site : scan.boundaries()) {
+    for (const Node n : scan.visits(site->instruction)) nodes.push_back(n);
+  }
+  return nodes;
+}
+
 std::vector<Node> ScanRun::rootsOf(const EncodedScan& scan, const TransitionSystem& system,
                                    std::span<const Node> watched) {
-  std::vector<Node> roots(watched.begin(), watched.end());
+  std::vector<Node> roots = scriptNodes(scan);
+  roots.insert(roots.end(), watched.begin(), watched.end());
   for (const StateVariable& s : system.states) {
     roots.push_back(s.node);
     roots.push_back(s.next);
@@ -23,28 +52,7 @@ std::vector<Node> ScanRun::rootsOf(const EncodedScan& scan, const TransitionSyst
   }
   roots.insert(roots.end(), system.inputs.begin(), system.inputs.end());
   roots.insert(roots.end(), system.constraints.begin(), system.constraints.end());
-  for (const ExternalInput& e : scan.externals()) {
-    roots.push_back(e.guard);
-    if (e.node != noNode) roots.push_back(e.node);
-  }
-  for (const ScanInput& input : scanInputsOf(scan)) roots.push_back(input.node);
-  for (const DeviceWrite& write : scan.deviceWrites()) {
-    roots.push_back(write.guard);
-    roots.push_back(write.value);
-  }
-  for (const TickSite& t : scan.tickSites()) {
-    roots.push_back(t.where.guard);
-    roots.push_back(t.ticks);
-  }
-  for (const EventSite& e : scan.eventSites()) {
-    roots.push_back(e.where.guard);
-    roots.push_back(e.fires);
-    roots.push_back(e.waited);
-  }
-  for (const BoundarySite* site : scan.boundaries()) {
-    for (const Node n : scan.visits(site->instruction)) roots.push_back(n);
-  }
-  for (const Node n : {scan.time().dt(), scan.time().tensBefore(), scan.time().onesBefore()}) roots.push_back(n);
+  for (const Node n : {scan.time().tensBefore(), scan.time().onesBefore()}) roots.push_back(n);
   return roots;
 }
 
@@ -123,6 +131,18 @@ ReplayScan ScanRun::script() const {
       result.script.events.push_back({placeOf(e.where), e.event, false, holds(e.waited)});
   }
   return result;
+}
+
+bool ScanRun::isScriptNew() {
+  bool isNew = ofScript_.empty();
+  if (isNew) {
+    for (const Node n : scriptNodes(scan_)) ofScript_.emplace_back(n, 0);
+  }
+  for (auto& [node, value] : ofScript_) {
+    isNew = isNew || values_[node] != value;
+    value = values_[node];
+  }
+  return isNew;
 }
 
 }  // namespace rungproof

@@ -34,8 +34,11 @@ class ScanRun {
   Concrete::Store initialState() const;
   /// The evaluated scan as a script for the engine.
   ReplayScan script() const;
+  /// Whether script() is another one than when this was asked last; true at first.
+  bool isScriptNew();
 
  private:
+  static std::vector<Node> scriptNodes(const EncodedScan& scan);
   static std::vector<Node> rootsOf(const EncodedScan& scan, const TransitionSystem& system,
                                    std::span<const Node> watched);
   bool holds(Node n) const { return values_[n] != 0; }
@@ -45,6 +48,7 @@ class ScanRun {
   const TransitionSystem& system_;
   const std::vector<ScanInput> inputs_;
   Evaluator values_;
+  std::vector<std::pair<Node, std::uint64_t>> ofScript_;  ///< what script() reads, and its value when that was new
 };
 
 }  // namespace rungproof
