@@ -38,43 +38,17 @@ constexpr std::array engineKinds = {
     EngineKind{Technique::WordIc3, "IC3 on words", nullptr, schedule::wordsWeight}};
 constexpr std::size_t onWords = engineKinds.size() - 1;  ///< made by the caller
 
-struct Runner {
-  Engine* engine = nullptr;  ///< made when first run, unless the caller has made it
-  std::unique_ptr<Engine> own;
-  double used = 0;
-  double slice = schedule::firstSlice;
-  bool working = false;
-  bool ended = false;
-  bool hasWon = false;  ///< the answer is this engine's
-};
+}  // namespace
 
-struct Contest {
-  std::array<Runner, engineKinds.size()> runners;
-  std::atomic<bool> cancel = false;
-  double used = 0;  ///< by finished slices
-  int workers = 0;
-  bool done = false;
-};
-
-class Race {
+class Race::Workers {
  public:
-  Race(std::vector<RaceQuestion>& questions, const RaceOptions& options)
-      : questions_(questions),
-        options_(options),
-        contests_(questions.size()),
-        perQuestion_(options.seconds * std::max(options.jobs, 1)) {
-    for (std::size_t q = 0; q < questions.size(); ++q) {
-      auto& runners = contests_[q].runners;
-      runners[onWords].engine = questions[q].words;
-      runners[onWords].ended = questions[q].words == nullptr;
-      for (std::size_t e = 0; e < engineKinds.size(); ++e) {
-        if (!options.techniques.has(engineKinds[e].technique)) runners[e].ended = true;
-      }
-      contests_[q].done = std::ranges::all_of(runners, &Runner::ended);
-    }
-  }
+  Workers(std::vector<RaceQuestion> questions, const RaceOptions& options)
+      : questions_(std::move(questions)), options_(options), contests_(questions_.size()) {}
 
-  void run() {
+  void run(const RaceRun& run) {
+    run_ = run;
+    perQuestion_ = run.seconds * std::max(options_.jobs, 1);
+    for (std::size_t q = 0; q < contests_.size(); ++q) begin(q);
     std::vector<std::thread> threads;
     for (int i = 1; i < options_.jobs; ++i) threads.emplace_back([this] { work(); });
     work();
@@ -83,12 +57,51 @@ class Race {
     for (const Contest& contest : contests_) {
       for (std::size_t e = 0; e < engineKinds.size(); ++e) {
         const Runner& runner = contest.runners[e];
-        if (runner.used > 0) options_.log->add(engineKinds[e].technique, {1, runner.hasWon ? 1U : 0U, runner.used});
+        const double used = runner.used - runner.usedBefore;
+        if (used > 0) options_.log->add(engineKinds[e].technique, {1, runner.hasWon ? 1U : 0U, used});
       }
     }
   }
+  std::vector<RaceQuestion>& questions() { return questions_; }
 
  private:
+  struct Runner {
+    Engine* engine = nullptr;  ///< made when first run, unless the caller has made it
+    std::unique_ptr<Engine> own;
+    double used = 0;
+    double usedBefore = 0;  ///< this run
+    double slice = schedule::firstSlice;
+    bool working = false;
+    bool takesPart = true;
+    bool ended = false;
+    bool hasWon = false;  ///< the answer is this engine's
+  };
+
+  struct Contest {
+    std::array<Runner, engineKinds.size()> runners;
+    std::atomic<bool> cancel = false;
+    double used = 0;  ///< by finished slices
+    int workers = 0;
+    bool done = false;
+  };
+
+  void begin(std::size_t q) {
+    Contest& contest = contests_[q];
+    contest.cancel = false;
+    contest.runners[onWords].engine = questions_[q].words;
+    for (std::size_t e = 0; e < engineKinds.size(); ++e) {
+      Runner& runner = contest.runners[e];
+      runner.usedBefore = runner.used;
+      runner.takesPart = run_.techniques.has(engineKinds[e].technique) && (e != onWords || runner.engine != nullptr);
+    }
+    contest.done =
+        questions_[q].verdict.answer != Answer::Unknown || contest.used >= perQuestion_ || haveAllEnded(contest);
+  }
+  static bool haveAllEnded(const Contest& contest) {
+    return std::ranges::all_of(contest.runners,
+                               [](const Runner& r) { return !r.takesPart || (r.ended && !r.working); });
+  }
+
   struct Task {
     std::size_t question, engine;
   };
@@ -105,7 +118,7 @@ class Race {
         open = true;
         for (std::size_t e = 0; e < engineKinds.size(); ++e) {
           const Runner& runner = contest.runners[e];
-          if (runner.working || runner.ended) continue;
+          if (runner.working || runner.ended || !runner.takesPart) continue;
           // Questions with fewer workers and less time first, then engines with less weighted time.
           const double tired = 1 + runner.used / engineKinds[e].patience;
           const double own = (runner.used + engineKinds[e].wait) * tired / engineKinds[e].weight;
@@ -138,7 +151,7 @@ class Race {
         runner.engine = runner.own.get();
       }
       const Verdict verdict =
-          runner.engine->advance(Budget(options_.deadline, &contest.cancel, options_.cancel).slice(limit));
+          runner.engine->advance(Budget(run_.deadline, &contest.cancel, options_.cancel).slice(limit));
       const bool ended = runner.engine->isExhausted();
       const double used = Budget::threadSeconds() - begin;
       lock.lock();
@@ -187,24 +200,21 @@ class Race {
     if (known.answer == Answer::Unknown && verdict.answer == Answer::Unknown)
       known.depth = std::max(known.depth, verdict.depth);
     const bool atBound = options_.bound > 0 && known.depth >= options_.bound;
-    const bool allEnded = std::all_of(contest.runners.begin(), contest.runners.end(),
-                                      [](const Runner& r) { return r.ended && !r.working; });
-    const bool stopped = Budget(options_.deadline, options_.cancel).isExhausted();
-    if (contest.used >= perQuestion_ || allEnded || stopped || atBound) {
+    const bool stopped = Budget(run_.deadline, options_.cancel).isExhausted();
+    if (contest.used >= perQuestion_ || haveAllEnded(contest) || stopped || atBound) {
       contest.cancel = true;
       contest.done = true;
     }
   }
 
-  std::vector<RaceQuestion>& questions_;
+  std::vector<RaceQuestion> questions_;
   const RaceOptions options_;
   std::deque<Contest> contests_;
-  const double perQuestion_;  ///< engine seconds
+  RaceRun run_;
+  double perQuestion_ = 0;  ///< engine seconds, of all runs
   std::mutex mutex_;
   std::condition_variable changed_;
 };
-
-}  // namespace
 
 std::string enginesOf(const Techniques& techniques) {
   constexpr std::array order = {
@@ -219,8 +229,11 @@ std::string enginesOf(const Techniques& techniques) {
   return names;
 }
 
-void race(std::vector<RaceQuestion>& questions, const RaceOptions& options) {
-  if (!questions.empty()) Race(questions, options).run();
-}
+Race::Race(std::vector<RaceQuestion> questions, const RaceOptions& options)
+    : workers_(std::make_unique<Workers>(std::move(questions), options)) {}
+Race::~Race() = default;
+
+void Race::run(const RaceRun& run) { workers_->run(run); }
+std::vector<RaceQuestion>& Race::questions() { return workers_->questions(); }
 
 }  // namespace rungproof

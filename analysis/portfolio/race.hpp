@@ -1,8 +1,10 @@
 // The race: for each open question IC3, BMC, k-induction, simulation, held inputs, explicit search and IC3 on words run
 // in slices of time, on as many threads as wanted; the first conclusive answer of a question ends its other engines. A
-// proof and a violation of the same question stop the program. Tested by tests/solver/portfolio_test.cpp.
+// race that is stopped can go on. A proof and a violation of the same question stop the program. Tested by
+// tests/solver/portfolio_test.cpp.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,25 +16,44 @@ namespace rungproof {
 struct RaceQuestion {
   const BitSystem* system = nullptr;
   Engine* words = nullptr;  ///< takes part beside the engines on bits, if given; its evidence stays with it
-  std::vector<std::vector<Lit>> invariants;
+  std::vector<std::vector<Lit>> invariants{};
   // Result:
-  Verdict verdict;
-  double seconds = 0;  ///< engine time spent
+  Verdict verdict{};
+  double seconds = 0;  ///< engine time spent, of all runs
 };
 
 struct RaceOptions {
-  double seconds = 30;  ///< for each question and thread, of the processor
   int jobs = 2;
   std::uint64_t seed = 1;
   int bound = 0;  ///< 0: no limit
   const std::atomic<bool>* cancel = nullptr;
-  Budget::Clock::time_point deadline = Budget::Clock::time_point::max();  ///< of all questions
-  Techniques techniques{};                                                ///< engines that take part
   TechniqueLog* log = nullptr;
 };
 
 /// "BMC, k-induction, IC3 ...": the engines that take part.
 std::string enginesOf(const Techniques& techniques);
-void race(std::vector<RaceQuestion>& questions, const RaceOptions& options);
+
+/// What one call of a race may take.
+struct RaceRun {
+  Techniques techniques{};  ///< engines that take part
+  double seconds = 30;      ///< for each question and thread, of the processor, earlier runs included
+  Budget::Clock::time_point deadline = Budget::Clock::time_point::max();  ///< of all questions
+};
+
+class Race {
+ public:
+  Race(std::vector<RaceQuestion> questions, const RaceOptions& options);
+  ~Race();
+  Race(const Race&) = delete;
+  Race& operator=(const Race&) = delete;
+
+  /// What is open: engines that have been at work go on where they stopped.
+  void run(const RaceRun& run);
+  std::vector<RaceQuestion>& questions();
+
+ private:
+  class Workers;
+  std::unique_ptr<Workers> workers_;
+};
 
 }  // namespace rungproof

@@ -4,7 +4,6 @@
 #include "analysis/portfolio/stages.hpp"
 
 #include <algorithm>
-#include <deque>
 #include <map>
 #include <set>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "analysis/bits/bit_unrolling.hpp"
 #include "analysis/graph/evaluate.hpp"
 #include "analysis/portfolio/clusters.hpp"
+#include "analysis/portfolio/cone_race.hpp"
 #include "analysis/portfolio/invariants.hpp"
 #include "analysis/portfolio/invariants_bounds.hpp"
 #include "analysis/portfolio/invariants_covers.hpp"
@@ -21,11 +21,9 @@
 #include "analysis/portfolio/invariants_sums.hpp"
 #include "analysis/portfolio/invariants_timers.hpp"
 #include "analysis/portfolio/invariants_words.hpp"
-#include "analysis/portfolio/race.hpp"
 #include "analysis/portfolio/shared_search.hpp"
 #include "analysis/portfolio/state_truths.hpp"
 #include "analysis/schedule/schedule.hpp"
-#include "analysis/words/word_engine.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
@@ -41,6 +39,7 @@ class Stages {
     try {
       answer();
     } catch (const OutOfBudget&) {  // what is open stays open
+      leaveRace();
       blast_.reset();
     }
     return std::move(answers_);
@@ -76,7 +75,8 @@ class Stages {
     raceBriefly(runs, schedule::runsBeforeBounds);
   }
   void raceBriefly(const Techniques& techniques, double seconds) {
-    raceApart(techniques, std::min(options_.seconds, seconds));
+    briefly_ += seconds;
+    raceApart(techniques, std::min(options_.seconds, briefly_));
     std::erase_if(open_, [&](std::size_t q) { return answers_[q].answer != Answer::Unknown; });
   }
 
@@ -151,6 +151,7 @@ class Stages {
 
   /// Starts a stage: blasts the open questions. Throws OutOfBudget.
   void begin(const std::vector<Node>& truths) {
+    leaveRace();
     differences_.clear();
     sums_.clear();
     joinedClauses_.clear();
@@ -351,6 +352,7 @@ class Stages {
     tried_ = mined.templates;
     areBoundsUnfinished_ = mined.isUnfinished;
     if (mined.clauses.empty()) return false;
+    leaveRace();
     blast_->add(mined.clauses);
     for (const Node n : mined.clauses) {
       const Lit l = blast_->of(n)[0];
@@ -362,34 +364,16 @@ class Stages {
     return true;
   }
 
+  /// `seconds`: for each question, what engines have had on this system before included.
   void raceApart(const Techniques& techniques, double seconds) {
-    std::deque<BitCone> cones;
-    std::vector<Lit> wanted;
-    for (const std::vector<Lit>& clause : invariants_.clauses)
-      wanted.insert(wanted.end(), clause.begin(), clause.end());
-    std::vector<RaceQuestion> questions(open_.size());
-    std::vector<std::unique_ptr<WordEngine>> words(open_.size());
-    for (std::size_t i = 0; i < open_.size(); ++i) {
-      const Lit bad = blast_->badOf(open_[i]);
-      cones.push_back(makeCone(blast_->bits(), {bad}, blast_->isTotal(), invariants_.equal, wanted));
-      questions[i].system = &cones[i].system;
-      questions[i].invariants = cones[i].translated(invariants_.clauses);
-      questions[i].verdict.depth = answers_[open_[i]].depth;
-      // Certificates leave REAL operations open.
-      if (!blast_->unmodelled().empty() || !techniques.has(Technique::WordIc3)) continue;
-      if (static_cast<double>(cones[i].system.gates.size()) > schedule::wordEngineCone * seconds) continue;
-      EngineOptions options;
-      options.seed = options_.seed;
-      words[i] = makeWordEngine(system_, open_[i], options);
-      questions[i].words = words[i].get();
-    }
-    race(questions, {seconds, options_.jobs, options_.seed, options_.bound, options_.cancel, searchEnd(), techniques,
-                     options_.log});
-    for (std::size_t i = 0; i < open_.size(); ++i) {
-      answers_[open_[i]].seconds += questions[i].seconds / std::max(options_.jobs, 1);
-      if (questions[i].verdict.answer == Answer::Unknown) questions[i].verdict.method = enginesOf(techniques);
-      completeEvidence(questions[i].verdict, words[i].get(), cones[i]);
-      take(open_[i], questions[i].verdict, &cones[i]);
+    if (!racing_) racing_ = std::make_unique<ConeRace>(system_, *blast_, invariants_, open_, answers_, options_);
+    racing_->run({techniques, seconds, searchEnd()});
+    for (Contestant& contestant : racing_->contestants()) {
+      QuestionAnswer& answer = answers_[contestant.question];
+      if (answer.answer != Answer::Unknown) continue;
+      answer.seconds += contestant.seconds / std::max(options_.jobs, 1);
+      completeEvidence(contestant.verdict, contestant.words.get(), contestant.cone);
+      take(contestant.question, contestant.verdict, &contestant.cone);
     }
   }
 
@@ -414,6 +398,12 @@ class Stages {
       }
       verdict.certificate = Certificate{};
     }
+  }
+
+  /// What is found out about the system from now on is nothing that its engines know.
+  void leaveRace() {
+    racing_.reset();
+    briefly_ = 0;
   }
 
   /// Turns a verdict about the cone (nullptr: about the whole bit system) into the answer of question q.
@@ -548,6 +538,8 @@ class Stages {
   bool areBoundsUnfinished_ = false;              ///< the time for them has ended
   std::vector<std::vector<Lit>> joinedClauses_;   ///< of blast_'s system
   std::vector<Node> joined_;                      ///< what they say
+  std::unique_ptr<ConeRace> racing_;              ///< about blast_'s system under invariants_
+  double briefly_ = 0;                            ///< s for each question that the engines have had there
   Questions open_;                                ///< without answer; in a stage, of those that it is about
   std::vector<QuestionAnswer> answers_;
 };
