@@ -23,6 +23,10 @@ ConeRace::ConeRace(const TransitionSystem& system, BitBlast& blast, const Invari
     contest.system = &contestant.cone.system;
     contest.invariants = contestant.cone.translated(invariants.clauses);
     contest.verdict.depth = answers[q].depth;
+    if (options.effort != Effort::Apart || q < options.ofMany) continue;
+    contest.share = schedule::ruleRaceShare;
+    for (const Technique technique : {Technique::HeldInputs, Technique::KInduction})
+      contest.techniques.leaveOut(technique);
   }
   race_ = std::make_unique<Race>(std::move(contests),
                                  RaceOptions{options.jobs, options.seed, options.bound, options.cancel, options.log});

@@ -30,7 +30,10 @@ struct PortfolioOptions {
   std::uint64_t seed = 1;
   int bound = 0;             ///< BMC and k-induction look at that many scans at most; 0: no limit
   std::uint64_t memory = 0;  ///< bytes that a check of certificates may use; 0: no limit
-  bool check = true;         ///< check certificates with Z3; without, proofs are reported as they are
+  /// Questions from this one on are some of hundreds. Each has runs of held inputs of its own behind it, so that the
+  /// race of Effort::Apart is without these, and shorter.
+  std::size_t ofMany = ~std::size_t{0};
+  bool check = true;  ///< check certificates with Z3; without, proofs are reported as they are
   /// Checks certificates against something better than the given system; what it leaves Unknown or calls Invalid is
   /// checked against that. In the order of the claims.
   std::function<std::vector<CheckResult>(const std::vector<Claim>&, const CheckLimits&)> judge{};

@@ -47,7 +47,6 @@ class Race::Workers {
 
   void run(const RaceRun& run) {
     run_ = run;
-    perQuestion_ = run.seconds * std::max(options_.jobs, 1);
     for (std::size_t q = 0; q < contests_.size(); ++q) begin(q);
     std::vector<std::thread> threads;
     for (int i = 1; i < options_.jobs; ++i) threads.emplace_back([this] { work(); });
@@ -81,6 +80,7 @@ class Race::Workers {
     std::array<Runner, engineKinds.size()> runners;
     std::atomic<bool> cancel = false;
     double used = 0;  ///< by finished slices
+    double most = 0;  ///< engine seconds, of all runs
     int workers = 0;
     bool done = false;
   };
@@ -88,14 +88,17 @@ class Race::Workers {
   void begin(std::size_t q) {
     Contest& contest = contests_[q];
     contest.cancel = false;
+    contest.most = run_.seconds * std::max(options_.jobs, 1) * questions_[q].share;
     contest.runners[onWords].engine = questions_[q].words;
     for (std::size_t e = 0; e < engineKinds.size(); ++e) {
       Runner& runner = contest.runners[e];
       runner.usedBefore = runner.used;
-      runner.takesPart = run_.techniques.has(engineKinds[e].technique) && (e != onWords || runner.engine != nullptr);
+      const Technique technique = engineKinds[e].technique;
+      runner.takesPart = run_.techniques.has(technique) && questions_[q].techniques.has(technique) &&
+                         (e != onWords || runner.engine != nullptr);
     }
     contest.done =
-        questions_[q].verdict.answer != Answer::Unknown || contest.used >= perQuestion_ || haveAllEnded(contest);
+        questions_[q].verdict.answer != Answer::Unknown || contest.used >= contest.most || haveAllEnded(contest);
   }
   static bool haveAllEnded(const Contest& contest) {
     return std::ranges::all_of(contest.runners,
@@ -143,7 +146,7 @@ class Race::Workers {
       Runner& runner = contest.runners[task.engine];
       runner.working = true;
       ++contest.workers;
-      const double limit = std::min(runner.slice, std::max(perQuestion_ - contest.used, schedule::leastSlice));
+      const double limit = std::min(runner.slice, std::max(contest.most - contest.used, schedule::leastSlice));
       lock.unlock();
       const double begin = Budget::threadSeconds();
       if (runner.engine == nullptr) {
@@ -201,7 +204,7 @@ class Race::Workers {
       known.depth = std::max(known.depth, verdict.depth);
     const bool atBound = options_.bound > 0 && known.depth >= options_.bound;
     const bool stopped = Budget(run_.deadline, options_.cancel).isExhausted();
-    if (contest.used >= perQuestion_ || haveAllEnded(contest) || stopped || atBound) {
+    if (contest.used >= contest.most || haveAllEnded(contest) || stopped || atBound) {
       contest.cancel = true;
       contest.done = true;
     }
@@ -211,7 +214,6 @@ class Race::Workers {
   const RaceOptions options_;
   std::deque<Contest> contests_;
   RaceRun run_;
-  double perQuestion_ = 0;  ///< engine seconds, of all runs
   std::mutex mutex_;
   std::condition_variable changed_;
 };

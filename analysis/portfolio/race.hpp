@@ -17,6 +17,8 @@ struct RaceQuestion {
   const BitSystem* system = nullptr;
   Engine* words = nullptr;  ///< takes part beside the engines on bits, if given; its evidence stays with it
   std::vector<std::vector<Lit>> invariants{};
+  Techniques techniques{};  ///< engines that take part, of those of a run
+  double share = 1;         ///< of the time of a run
   // Result:
   Verdict verdict{};
   double seconds = 0;  ///< engine time spent, of all runs

@@ -279,6 +279,7 @@ PortfolioOptions QuestionSearch::portfolio(double each, Clock::time_point deadli
   if (isOfMany_) {  // what these find was looked for with all questions together
     for (const Technique technique : {Technique::Bounds, Technique::EqualGates}) options.techniques.leaveOut(technique);
   }
+  if (options_.checks.lint) options.ofMany = goals_.size();
   options.log = &log_;
   options.check = options_.evidence;
   if (options_.evidence)

@@ -22,6 +22,7 @@
   ROW(double, quickSeconds, 0.5, "s", "for each question while all are looked at together") \
   ROW(double, mostWait, 5, "s", "on the clock for each second of the processor, where others have it") \
   ROW(double, quickRaceSeconds, 0.12, "s", "of these for the race of the engines, which goes on where the question has its own time") \
+  ROW(double, ruleRaceShare, 0.85, "of that race", "for a question of a rule, without the engines that settle none in it") \
   ROW(double, freeRealShare, 0.25, "of a question", "before REAL operations are written out: many proofs hold whatever they give") \
   ROW(std::size_t, writtenReals, 200, "operations", "of a goal that are written out as bits; more do not come to an end") \
   ROW(std::size_t, writtenForChecks, 12, "operations", "of a rule's question: there is one at each REAL operation") \
