@@ -428,8 +428,19 @@ std::optional<Witness> QuestionSearch::replayedCheck(const TransitionSystem& sys
   const QuestionWitness asked(exact_->askedProperties().encoding(), exact_->system(),
                               exact_->system().questions[question].bad, replayedCone_->second);
   std::optional<ExactRun> run = asked.runOf(system, trace, options_.time);
+  if (!run) return std::nullopt;
   const auto kept = options_.explains ? QuestionWitness::Kept::Scans : QuestionWitness::Kept::Length;
-  std::optional<Witness> witness = run ? asked.witness(program_, options_.choices, *run, kept) : std::nullopt;
+  // What is rare and takes long is repeated once for all that it shows.
+  std::vector<std::size_t> open;
+  std::vector<QuestionWitness::Other> others;
+  if (!options_.explains && run->inputs.size() > schedule::minimisedScans)
+    open = openQuestions(
+        [&](std::size_t q) { return q >= goals_.size() && q != question && q != exact_->leftOutQuestion(); });
+  for (const std::size_t q : open) others.push_back({exact_->system().questions[q].bad, exact_->variablesOf(q)});
+  std::optional<Witness> witness = asked.witness(program_, options_.choices, *run, kept, others);
+  for (std::size_t i = 0; i < open.size() && witness; ++i) {
+    if (others[i].witness) show(open[i], std::move(*others[i].witness), "run of another question");
+  }
   const std::size_t check = question - goals_.size();
   const bool isShownToPeople = options_.evidence && options_.explains && check < exact_->checks().size() &&
                                isAskedByProve(*exact_->checks()[check].rule);

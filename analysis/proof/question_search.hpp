@@ -150,4 +150,13 @@ class QuestionSearch {
   std::map<std::size_t, TransitionSystem> written_;  ///< by question: its system with REAL operations written out
 };
 
+template <class Wanted>
+std::vector<std::size_t> QuestionSearch::openQuestions(Wanted&& wanted) const {
+  std::vector<std::size_t> open;
+  for (std::size_t q = 0; q < quick_.size(); ++q) {
+    if (quick_[q].answer == Answer::Unknown && wanted(q)) open.push_back(q);
+  }
+  return open;
+}
+
 }  // namespace rungproof

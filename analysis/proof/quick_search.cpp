@@ -93,15 +93,6 @@ void QuestionSearch::show(std::size_t question, Witness witness, const char* met
   found_.emplace(question, std::move(witness));
 }
 
-template <class Wanted>
-std::vector<std::size_t> QuestionSearch::openQuestions(Wanted&& wanted) const {
-  std::vector<std::size_t> open;
-  for (std::size_t q = 0; q < quick_.size(); ++q) {
-    if (quick_[q].answer == Answer::Unknown && wanted(q)) open.push_back(q);
-  }
-  return open;
-}
-
 void QuestionSearch::answerOpen(const Questions& open, const PortfolioOptions& options) {
   if (open.empty()) return;
   std::vector<QuestionAnswer> answers = answerQuestions(exact_->system(), open, options);

@@ -171,9 +171,26 @@ std::optional<ExactRun> QuestionWitness::runOf(const TransitionSystem& found, co
   return std::nullopt;
 }
 
+std::vector<QuestionWitness::Compared> QuestionWitness::comparedIn(
+    const std::unordered_set<std::uint32_t>& cone) const {
+  std::map<Node, std::size_t> stateOf;
+  for (std::size_t i = 0; i < system_.states.size(); ++i) stateOf[system_.states[i].node] = i;
+  std::vector<Compared> compared;
+  for (const Cell& cell : encoding_.cells()) {
+    const auto state = stateOf.find(cell.start);
+    // The time model counts ticks by digits of its own; the phases that the engine counts them by mean nothing there.
+    const bool isPhase =
+        cell.place.isRegister && (cell.place.reg == Reg::PhaseTen || cell.place.reg == Reg::PhaseHundred);
+    if (cell.kind == CellKind::State && state != stateOf.end() && !isPhase && cone.contains(indexOf(cell.start)))
+      compared.push_back({cell.place, system_.states[state->second].next});
+  }
+  return compared;
+}
+
 std::optional<Witness> QuestionWitness::witness(const Program& program, const Choices& choices, const ExactRun& given,
-                                                Kept kept) const {
-  const std::vector<Node> watched{bad_};
+                                                Kept kept, std::span<Other> others) const {
+  std::vector<Node> watched{bad_};
+  for (const Other& other : others) watched.push_back(other.bad);
   ScanRun run(encoding_, system_, watched);
   begin(run, system_, given);
   run.evaluate();
@@ -181,21 +198,13 @@ std::optional<Witness> QuestionWitness::witness(const Program& program, const Ch
   const bool isFreeStart = std::any_of(system_.states.begin(), system_.states.end(),
                                        [](const StateVariable& s) { return s.init == noNode; });
   if (isFreeStart) witness.initial = run.initialState();
-  std::map<Node, std::size_t> stateOf;
-  for (std::size_t i = 0; i < system_.states.size(); ++i) stateOf[system_.states[i].node] = i;
-  struct Compared {
-    Place place;
-    Node next;
+  const std::vector<Compared> compared = comparedIn(cone_);
+  struct Beside {
+    Other* other;
+    std::vector<Compared> compared;
   };
-  std::vector<Compared> compared;
-  for (const Cell& cell : encoding_.cells()) {
-    const auto state = stateOf.find(cell.start);
-    // The time model counts ticks by digits of its own; the phases that the engine counts them by mean nothing there.
-    const bool isPhase =
-        cell.place.isRegister && (cell.place.reg == Reg::PhaseTen || cell.place.reg == Reg::PhaseHundred);
-    if (cell.kind == CellKind::State && state != stateOf.end() && !isPhase && cone_.contains(indexOf(cell.start)))
-      compared.push_back({cell.place, system_.states[state->second].next});
-  }
+  std::vector<Beside> beside;  // others that the run has not shown and may show
+  for (Other& other : others) beside.push_back({&other, comparedIn(other.cone)});
   // Alike scans of a long run are one that is repeated: nobody looks at them one by one.
   const bool isLong = given.inputs.size() > schedule::minimisedScans;
   ReplayRun engine(program, choices, witness.initial ? &*witness.initial : nullptr);
@@ -211,15 +220,23 @@ std::optional<Witness> QuestionWitness::witness(const Program& program, const Ch
     } else {
       ++witness.scans.back().repeats;
     }
-    if (engine.isRunning()) {
-      const Concrete::Store& state = engine.scan();
-      for (const Compared& c : compared) {
-        if (valueAt(c.place, state) != run[c.next]) return std::nullopt;
-      }
-    }
-    if (scan + 1 < given.inputs.size()) run.advance();
     witness.milliseconds += given.lengths[scan];
     ++witness.scanCount;
+    if (engine.isRunning()) {
+      const Concrete::Store& state = engine.scan();
+      const auto agrees = [&](const Compared& c) { return valueAt(c.place, state) == run[c.next]; };
+      if (!std::ranges::all_of(compared, agrees)) return std::nullopt;
+      std::erase_if(beside, [&](const Beside& b) {
+        if (!std::ranges::all_of(b.compared, agrees)) return true;
+        if (run[b.other->bad] == 0) return false;
+        Witness& shown = b.other->witness.emplace();
+        shown.initial = witness.initial;
+        shown.scanCount = witness.scanCount;
+        shown.milliseconds = witness.milliseconds;
+        return true;
+      });
+    }
+    if (scan + 1 < given.inputs.size()) run.advance();
   }
   if (run[bad_] == 0) return std::nullopt;
   if (kept == Kept::Length) witness.scans.clear();

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -33,14 +34,27 @@ class QuestionWitness {
   std::optional<ExactRun> runOf(const TransitionSystem& found, const WordTrace& trace, const TimeRange& range) const;
   /// What is kept of a run that the engine repeats: scans, or how many they are and how long they last.
   enum class Kept : std::uint8_t { Scans, Length };
-  /// The run as the engine repeats it; nothing if it does not.
+  /// Another question about the same encoding.
+  struct Other {
+    Node bad;
+    std::unordered_set<std::uint32_t> cone;
+    std::optional<Witness> witness{};  ///< result: where the run shows it as well; its length only
+  };
+  /// The run as the engine repeats it; nothing if it does not. `others` are followed beside it.
   std::optional<Witness> witness(const Program& program, const Choices& choices, const ExactRun& run,
-                                 Kept kept = Kept::Scans) const;
+                                 Kept kept = Kept::Scans, std::span<Other> others = {}) const;
   /// Sets inputs that do not matter to 0; `matters`, as in Witness, tells which do. "Any value" is tried with 0, with
   /// all ones, and with random values for all idle inputs together. False if `seconds` were not enough.
   bool dropIdle(ExactRun& run, std::vector<std::vector<bool>>& matters, double seconds, std::uint64_t seed) const;
 
  private:
+  /// What the encoding and the engine must agree on after each scan.
+  struct Compared {
+    Place place;
+    Node next;
+  };
+  std::vector<Compared> comparedIn(const std::unordered_set<std::uint32_t>& cone) const;
+
   EncodedScan& encoding_;
   const TransitionSystem& system_;
   Node bad_;
