@@ -17,7 +17,7 @@ SimulationRuns::SimulationRuns(const BitSystem& system, std::uint64_t seed)
   if (!system.constraints.empty()) collectSamples();
   const std::vector<bool> isConstrained = constrainedVariables(system);
   for (std::uint32_t gate = 0; gate < system.gates.size(); ++gate)
-    (isConstrained[system.gateVariables[gate]] ? ofConstraints_ : others_).push_back(gate);
+    (isConstrained[system.gateVariables[gate]] ? ofConstraints_ : others_).push_back(simulator_.stepOf(gate));
   restart();
 }
 

@@ -37,8 +37,8 @@ class SimulationRuns {
   std::mt19937_64 random_;
   std::uint64_t live_ = ~0ULL;
   bool fresh_ = true;
-  std::vector<std::uint32_t> ofConstraints_, others_;  ///< gates that the constraints depend on, and those left
-  std::vector<std::vector<bool>> samples_;  ///< inputs that meet the constraints in the initial state
+  BitSimulator::Course ofConstraints_, others_;  ///< gates that the constraints depend on, and those left
+  std::vector<std::vector<bool>> samples_;       ///< inputs that meet the constraints in the initial state
 };
 
 }  // namespace rungproof
