@@ -59,6 +59,9 @@ constexpr std::array ideaTable = {
     Idea{"engine runs",
          "Runs of the reference engine from power-up, with inputs that are held for a while and inputs that change at "
          "random: what happens without a special order of events is found so."},
+    Idea{"run of another question",
+         "A long run that was looked for to answer another question of the program: the reference engine repeated it "
+         "and came by this one as well."},
     Idea{"both programs side by side",
          "equiv: a solver looked for inputs on which two programs that run side by side drive different outputs, or "
          "proved that there are none."},

@@ -1,7 +1,7 @@
 // The engine against gcc -O2: the same program in C, the same inputs, and in the end the same memory. One trace, and
 // many side by side, of which each scan of a trace counts. Prints for each program the median of the ratios of pairs
 // that were measured one behind the other, and their spread. Ends with 1 if the memories differ or a ratio misses its
-// bar. --kept asks for what was reached instead of the bars.
+// bar. --kept asks for what was reached instead of the bars; --markdown writes the table that README quotes.
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -133,27 +133,34 @@ int scansFor(Side& side) {
 class Ratios {
  public:
   void add(double ours, double theirs) {
-    ratios_.push_back(theirs / ours);
+    ratios_.insert(std::ranges::upper_bound(ratios_, theirs / ours), theirs / ours);
     oursNs_ = std::min(oursNs_, ours * 1e9);
     theirsNs_ = std::min(theirsNs_, theirs * 1e9);
   }
   /// Whether the median reaches the bar and nothing differs.
   bool print(const char* what, double bar, const std::string& differs) {
-    std::sort(ratios_.begin(), ratios_.end());
-    const double median = ratios_[ratios_.size() / 2];
     std::printf("  %-12s %8.1f ns  gcc -O2 %8.1f ns a scan  ratio %.2f (%.2f to %.2f, bar %.2f)%s\n", what, oursNs_,
-                theirsNs_, median, ratios_.front(), ratios_.back(), bar,
+                theirsNs_, median(), ratios_.front(), ratios_.back(), bar,
                 differs.empty() ? "" : ("  MEMORY DIFFERS: " + differs).c_str());
-    return differs.empty() && median >= bar;
+    return differs.empty() && median() >= bar;
+  }
+  std::string cell(int digits) const {
+    return fmt::format("{:.{}f} ({:.{}f} to {:.{}f})", median(), digits, ratios_.front(), digits, ratios_.back(),
+                       digits);
   }
 
  private:
-  std::vector<double> ratios_;
+  double median() const { return ratios_[ratios_.size() / 2]; }
+
+  std::vector<double> ratios_;  ///< ascending
   double oursNs_ = 1e12, theirsNs_ = 1e12;
 };
 
+/// What is asked for, and how it is told.
+enum class Asked : std::uint8_t { Bars, Kept, Table };
+
 /// Whether the program is as fast as it shall be, or as it was, and right.
-bool measure(const NativeProgram& native, const std::filesystem::path& folder, bool asksKept) {
+bool measure(const NativeProgram& native, const std::filesystem::path& folder, Asked asked) {
   const Program program = readText("bench.awl", native.text);
   if (!program.findings.empty()) throw std::runtime_error(program.findings.front().message);
   EngineSide engine(program), paced(program);
@@ -178,7 +185,12 @@ bool measure(const NativeProgram& native, const std::filesystem::path& folder, b
     own.run(scansCompared);
     manyDiffer = difference(many.traces().store(trace), own);
   }
+  if (asked == Asked::Table) {
+    std::printf("| %s | %s | %s |\n", native.name.c_str(), one.cell(2).c_str(), ofMany.cell(1).c_str());
+    return differs.empty() && manyDiffer.empty();
+  }
   std::printf("%s\n", native.name.c_str());
+  const bool asksKept = asked == Asked::Kept;
   const bool isOneGood = one.print("one trace", asksKept ? native.kept : native.bar, differs);
   const double keptMany = lanes::vectorsHere() == lanes::Vectors::Bits512 ? native.keptMany : 0;
   return ofMany.print("many traces", asksKept ? keptMany : manyBar, manyDiffer) && isOneGood;
@@ -188,17 +200,20 @@ bool measure(const NativeProgram& native, const std::filesystem::path& folder, b
 }  // namespace rungproof::bench
 
 int main(int count, char** arguments) {
-  const bool asksKept = count == 2 && std::string_view(arguments[1]) == "--kept";
-  if (count > 1 && !asksKept) {
-    std::fprintf(stderr, "usage: bench_native [--kept]\n");
+  using rungproof::bench::Asked;
+  const std::string_view option = count == 2 ? arguments[1] : "";
+  const Asked asked = option == "--kept" ? Asked::Kept : option == "--markdown" ? Asked::Table : Asked::Bars;
+  if (count > 1 && asked == Asked::Bars) {
+    std::fprintf(stderr, "usage: bench_native [--kept|--markdown]\n");
     return 2;
   }
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / fmt::format("rungproof-native-{}", ::getpid());
   std::filesystem::create_directories(folder);
+  if (asked == Asked::Table) std::printf("| Program | one run | 256 runs at once |\n|---|---|---|\n");
   bool isGood = true;
   for (const auto& program : rungproof::bench::nativePrograms(rungproof::bench::seed))
-    isGood = rungproof::bench::measure(program, folder, asksKept) && isGood;
+    isGood = rungproof::bench::measure(program, folder, asked) && isGood;
   std::filesystem::remove_all(folder);
   return isGood ? 0 : 1;
 }

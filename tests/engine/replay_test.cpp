@@ -209,6 +209,30 @@ TEST(Replay, StartsFromAGivenStateAndEndsWithAFatalError) {
   EXPECT_EQ(result.errors[0].hazard, Hazard::FatalIndirectAddress);
 }
 
+TEST(Replay, RunsScanByScanWithScriptsMadeOnTheWay) {
+  // The same scans as a list and one by one: 3 scans with the input, 5 without, of other lengths.
+  Rig rig("LD I0.0\nTON T33, +5\nLD T33\n= Q0.0\nLD SM0.0\nINCW VW0\n");
+  std::vector<ReplayScan> scans(2);
+  scans[0].inputs = {{operandNamed("I0.0"), 1}};
+  scans[0].lengthMs = 25;
+  scans[0].repeats = 3;
+  scans[1].inputs = {{operandNamed("I0.0"), 0}};
+  scans[1].lengthMs = 40;
+  scans[1].repeats = 5;
+  const ReplayResult result = replay(rig.program, Choices{}, scans);
+  ASSERT_EQ(result.states.size(), 8U);
+  EXPECT_EQ(bit(result.states[2], Area::Q, 0, 0), 1U);  // 50 ms have passed when the third scan begins
+  ReplayRun run(rig.program, Choices{});
+  std::size_t at = 0;
+  for (const ReplayScan& scan : scans) {
+    run.load(scan);
+    for (std::uint32_t i = 0; i < scan.repeats; ++i) EXPECT_EQ(run.scan(), result.states[at++]) << at;
+  }
+  EXPECT_TRUE(run.isRunning());
+  EXPECT_TRUE(run.errors().empty());
+  EXPECT_EQ(run.unusedExternals(), 0U);
+}
+
 TEST(Replay, RepeatsAndObserver) {
   Rig rig("LD SM0.0\nINCW VW0\n");
   std::vector<ReplayScan> scans(2);

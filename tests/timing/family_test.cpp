@@ -24,7 +24,7 @@ void expectProved(const std::string& program, std::size_t properties, double lim
 // timers have been saturated by hand. Reading, encoding and the second solver's check of every certificate are part of
 // the limits here. The timed ones are slower than those of the others: a timer does not count the scan that enables it,
 // so that its value equals the count only where a bit remembers the input, which IC3 on words finds and no template of
-// an invariant does yet (measured: 0.10, 0.12, 0.36, 1.0, 3.4 s).
+// an invariant does yet (measured: 0.10, 0.12, 0.36, 1.0, 3.4 s; the last two twice that where others have the caches).
 TEST(Family, Starter16) { expectProved(families::starter(16), 15, 0.05); }
 TEST(Family, Starter64) { expectProved(families::starter(64), 63, 0.1); }
 TEST(Family, Phase4) { expectProved(families::phase(4), 4, 0.1); }
@@ -36,8 +36,8 @@ TEST(Family, Chain64) { expectProved(families::chain(64), 63, 0.4); }
 TEST(Family, Timed1) { expectProved(families::timed(1, 100), 1, 0.2); }
 TEST(Family, Timed1WithPreset30000) { expectProved(families::timed(1, 30000), 1, 0.2); }
 TEST(Family, Timed4) { expectProved(families::timed(4, 100), 4, 0.77); }
-TEST(Family, Timed16) { expectProved(families::timed(16, 100), 16, 2); }
-TEST(Family, Timed64) { expectProved(families::timed(64, 100), 64, 7); }
+TEST(Family, Timed16) { expectProved(families::timed(16, 100), 16, 3); }
+TEST(Family, Timed64) { expectProved(families::timed(64, 100), 64, 10); }
 
 /// Two interlocked coils among 10,000 networks that have nothing to do with them: reading, and finding out that they
 /// have nothing to do with them, is all that these may cost.

@@ -1,0 +1,67 @@
+// A race that is stopped goes on: what engines have found stays, and time that they have had is not given again.
+#include "analysis/portfolio/race.hpp"
+
+#include <gtest/gtest.h>
+
+#include "analysis/bits/bit_arithmetic.hpp"
+
+namespace rungproof {
+namespace {
+
+/// A word that is counted up from 0 in every scan; bad: it stands at `end`, which takes so many scans.
+BitSystem counterTo(std::uint64_t end, int width) {
+  BitSystem system;
+  LitVector word;
+  for (int bit = 0; bit < width; ++bit) word.push_back(system.addLatch("n", LatchInit::Zero));
+  BitArithmetic arithmetic(system);
+  const LitVector more = arithmetic.add(word, BitArithmetic::constant(1, width));
+  for (std::size_t bit = 0; bit < word.size(); ++bit) system.setNext(word[bit], more[bit]);
+  system.bads.push_back(arithmetic.equal(word, BitArithmetic::constant(end, width)));
+  return system;
+}
+
+RaceQuestion questionOf(const BitSystem& system) {
+  RaceQuestion question;
+  question.system = &system;
+  return question;
+}
+
+TEST(Race, GoesOnWhereItWasStopped) {
+  const BitSystem near = counterTo(20, 8), far = counterTo(1ULL << 39, 40);  // nobody counts so far
+  Race race({questionOf(near), questionOf(far)}, {.jobs = 1});
+  RaceRun run;
+  run.seconds = 0.5;
+  race.run(run);
+  const Verdict& found = race.questions()[0].verdict;
+  ASSERT_EQ(found.answer, Answer::Violated);
+  EXPECT_EQ(found.depth, 20);
+  const RaceQuestion& open = race.questions()[1];
+  EXPECT_EQ(open.verdict.answer, Answer::Unknown);
+  const double spent = open.seconds, spentOnFound = race.questions()[0].seconds;
+  EXPECT_GT(spent, 0.1);
+
+  race.run(run);  // half a second in all, which has been spent
+  EXPECT_LT(open.seconds, spent + 0.2);
+  EXPECT_EQ(race.questions()[0].seconds, spentOnFound);
+  EXPECT_EQ(race.questions()[0].verdict.answer, Answer::Violated);
+
+  run.seconds = 1;
+  race.run(run);
+  EXPECT_GT(open.seconds, spent + 0.1);
+  EXPECT_EQ(open.verdict.answer, Answer::Unknown);
+}
+
+TEST(Race, WhatAQuestionLeavesOutIsNotTried) {
+  const BitSystem near = counterTo(20, 8);
+  RaceQuestion question = questionOf(near);
+  question.techniques.keepOnly({Technique::LongSimulation});
+  Race race({question}, {.jobs = 1});
+  RaceRun run;
+  run.seconds = 2;
+  race.run(run);
+  ASSERT_EQ(race.questions()[0].verdict.answer, Answer::Violated);
+  EXPECT_EQ(race.questions()[0].verdict.method, "simulation");
+}
+
+}  // namespace
+}  // namespace rungproof
