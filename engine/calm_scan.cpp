@@ -1,7 +1,7 @@
 // Calm scans: nothing but the program, inputs and the clocks has a part in them. Once machine code has run a scan in
-// which no event is attached and no device works, only the reference engine can change that, or somebody
-// outside who is looked for in front of each scan; what the CPU does around the program is then these few steps, the
-// same as in Simulator::scanInRun. A scan that machine code gives up goes on as any other does. Covered by
+// which no event is attached and no device works, only the reference engine can change that, or somebody outside who is
+// looked for in front of each scan; what the CPU does around the program is then these few steps, the same as in
+// Simulator::scanInRun. A scan that machine code gives up goes on as any other does. Covered by
 // tests/compiled/calm_scans_test.cpp.
 #include <algorithm>
 
@@ -49,14 +49,13 @@ void Simulator::endCalmly(std::uint32_t lengthUs) {
   clockMs_ = startMs_ + scanTicks_;
   now_ += lastScanUs_;
   advanceClocks(machine_, scanTicks_);
-  if (plan_.isStep7()) {
-    std::ranges::fill(store_.area(Area::L), std::uint8_t{0});
-    endScanOfTimers(machine_, scanTicks_);
-    starts_.scanEnded(lastScanUs_ / 1000);
-  } else {
-    store_.area(Area::SM)[4] &= 0x7F;
-  }
+  endScanOfTimers(machine_, scanTicks_);
   refreshSpecialMemory(machine_, lastScanUs_ / 1000);
+  starts_.scanEnded(lastScanUs_ / 1000);
+  if (plan_.isStep7())
+    std::ranges::fill(store_.area(Area::L), std::uint8_t{0});  // computed addresses lead there too
+  else
+    store_.area(Area::SM)[4] &= 0x7F;
   const auto& image = store_.area(Area::Q);
   std::copy_n(image.begin(), machine_.terminals() / 8, store_.terminals(Reg::PhysicalOutput).begin());
 }

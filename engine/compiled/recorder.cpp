@@ -269,7 +269,7 @@ Recorder::Bits Recorder::select(Bool c, Bits a, Bits b, int w) {
   }
   const ValueId id =
       make({.op = CodeOp::Select, .width = static_cast<std::uint8_t>(w), .a = c.id, .b = a.id, .c = b.id});
-  replacedWhere_[pairOf(c.id, b.id)] = id;
+  selects_[pairOf(c.id, b.id)] = id;
   return {id};
 }
 
@@ -311,28 +311,37 @@ Recorder::Bits Recorder::concat(Bits high, int highWidth, Bits low, int lowWidth
   return word(CodeOp::Join, highWidth, high, low, static_cast<std::uint64_t>(lowWidth));
 }
 
-bool Recorder::isZeroAt(Bits a, int i) const {
-  const Step& step = at(a.id);
+/// Whether the form of the step alone says that the bit is 0.
+bool Recorder::isZeroAt(ValueId id, int i) const {
+  const Step& step = at(id);
+  const auto isMasked = [&](ValueId mask) { return known({mask}) && (*known({mask}) >> i & 1) == 0; };
   switch (step.op) {
-    case CodeOp::Constant: return (step.value >> i & 1) == 0;
+    case CodeOp::Constant: return isMasked(id);
     case CodeOp::FromBit: return i > 0;
-    case CodeOp::BitAnd: return isZeroAt({step.a}, i) || isZeroAt({step.b}, i);
+    case CodeOp::BitAnd: return isMasked(step.a) || isMasked(step.b);
     case CodeOp::ShiftLeft: return known({step.b}) > static_cast<std::uint64_t>(i);
     default: return false;
   }
 }
 
-/// What has the same bit `i` as a byte in which single bits have been replaced.
-std::optional<Recorder::Bits> Recorder::behindPatch(Bits a, int i) const {
-  const Step& step = at(a.id);
-  const auto isOneAt = [&](ValueId id) { return at(id).op == CodeOp::Constant && !isZeroAt({id}, i); };
-  const bool isOr = step.op == CodeOp::BitOr, isAnd = step.op == CodeOp::BitAnd;
-  if (isOr ? isZeroAt({step.a}, i) : isAnd && isOneAt(step.a)) return Bits{step.b};
-  if (isOr ? isZeroAt({step.b}, i) : isAnd && isOneAt(step.b)) return Bits{step.a};
-  return std::nullopt;
+/// What has the same bit `i` as a byte in which other bits have been replaced; at most so many of them are looked at.
+Recorder::Bits Recorder::behindPatches(Bits a, int i) const {
+  constexpr int mostLooks = 32;
+  const auto isOneAt = [&](ValueId id) { return at(id).op == CodeOp::Constant && !isZeroAt(id, i); };
+  for (int look = 0; look < mostLooks; ++look) {
+    const Step& step = at(a.id);
+    if ((step.op == CodeOp::BitOr && isZeroAt(step.a, i)) || (step.op == CodeOp::BitAnd && isOneAt(step.a)))
+      a = {step.b};
+    else if ((step.op == CodeOp::BitOr && isZeroAt(step.b, i)) || (step.op == CodeOp::BitAnd && isOneAt(step.b)))
+      a = {step.a};
+    else
+      break;
+  }
+  return a;
 }
 
 Recorder::Bool Recorder::bit(Bits a, int i) {
+  a = behindPatches(a, i);
   const Step step = at(a.id);
   if (step.op == CodeOp::Constant) return constant((step.value >> i & 1) != 0);
   if (step.op == CodeOp::FromBit) return i == 0 ? Bool{resolved(step.a)} : constant(false);
@@ -342,7 +351,6 @@ Recorder::Bool Recorder::bit(Bits a, int i) {
     return i < below ? bit({step.b}, i) : bit({step.a}, i - below);
   }
   if (const auto sum = narrowSum(a); sum && i < sum->width) return bit(word(step.op, sum->width, sum->a, sum->b), i);
-  if (const auto other = behindPatch(a, i)) return bit(*other, i);
   if (const auto left = step.op == CodeOp::ShiftLeft ? known({step.b}) : std::nullopt; left && i < step.width)
     return i < static_cast<int>(*left) ? constant(false) : bit({step.a}, i - static_cast<int>(*left));
   return {make({.op = CodeOp::TestBit, .width = 1, .a = a.id, .value = static_cast<std::uint64_t>(i)})};

@@ -171,8 +171,8 @@ class Recorder {
   };
   std::optional<NarrowSum> narrowSum(Bits wide);
   std::optional<Bool> fits(Bits continued, Bits exact);
-  bool isZeroAt(Bits a, int i) const;
-  std::optional<Bits> behindPatch(Bits a, int i) const;
+  bool isZeroAt(ValueId id, int i) const;
+  Bits behindPatches(Bits a, int i) const;
   std::optional<Row> rowOf(Machine<Recorder>& machine, Area area, Bits block);
   void reaches(Area area, std::uint32_t first, std::uint32_t count, bool isWritten);
   struct StepHash {
@@ -192,7 +192,7 @@ class Recorder {
   }
   void forgetKnown() {
     known_.clear();
-    replacedWhere_.clear();
+    selects_.clear();
   }
   static std::uint64_t pairOf(ValueId a, ValueId b) { return std::uint64_t{a} << 32 | b; }
   /// Of a conjunction each part with the other one; else nothing.
@@ -223,7 +223,7 @@ class Recorder {
   std::optional<Step> place_;       ///< last access to a computed address `a` of `area` where `b` stands
   bool hasReadOnlyBlocks_ = false;  ///< of which an address may name one
   std::unordered_map<Step, ValueId, StepHash, StepEqual> known_;
-  std::unordered_map<std::uint64_t, ValueId> replacedWhere_;  ///< Select by its condition and what it is without
+  std::unordered_map<std::uint64_t, ValueId> selects_;  ///< Select by its condition and what it is without
   std::unordered_map<std::uint64_t, ValueId> constants_;
   std::unordered_map<ValueId, ValueId> replaced_;  ///< conditions that are known where the code is
 };

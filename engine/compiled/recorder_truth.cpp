@@ -195,8 +195,8 @@ std::optional<Recorder::Bool> Recorder::oneTest(ValueId condition, ValueId on, V
     return std::nullopt;
   // Where the test does not count, another number may stand: one that is there anyway.
   const auto tested = [&](const NumberTest& t) {
-    const auto other = replacedWhere_.find(pairOf(t.unless, t.test.a));
-    return Bits{other == replacedWhere_.end() ? t.test.a : other->second};
+    const auto other = selects_.find(pairOf(t.unless, t.test.a));
+    return Bits{other == selects_.end() ? t.test.a : other->second};
   };
   const Bits number = select({condition}, tested(*x), tested(*y), width);
   const Bool test = x->test.op == CodeOp::TestBit ? bit(number, static_cast<int>(x->test.value))
