@@ -52,6 +52,21 @@ TEST(Parts, ProgramsAgree) {
   }
 }
 
+/// A bit is looked for behind what masks have left of its word: sixty masks whose operands are both the same value are
+/// sixty steps, not 2^60; and of a byte that is also a part of a word, one bit is written a hundred times.
+TEST(Parts, BitsBehindManyMasksAgree) {
+  std::string text = "Network 1\nLD I0.0\nMOVW IW0, VW0\n";
+  for (int i = 0; i < 60; ++i) text += i % 2 == 0 ? "ANDW VW0, VW0\n" : "ORW VW0, VW0\n";
+  text += "Network 2\nLD V1.3\n= Q0.0\n";
+  for (int i = 0; i < 100; ++i) text += "LD I0." + std::to_string(i % 8) + "\nAN V1.3\n= V1.0\nMOVB VB1, VB2\n";
+  text += "LD V1.3\n= Q0.1\nLD V1.0\n= Q0.2\n";
+  const Program program = networks(text);
+  RandomSource random(11);
+  const PairOutcome outcome = runBoth(program, random);
+  EXPECT_EQ(outcome.difference, "");
+  EXPECT_GE(outcome.compiled, 10U);
+}
+
 /// Both engines for so many scans, and nobody looks in between.
 void compareInTheEnd(const Program& program, int scans, const std::function<void(Simulator&, int)>& before,
                      std::uint64_t leastCompiled) {
