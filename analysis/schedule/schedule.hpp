@@ -216,6 +216,12 @@
   ROW(std::uint64_t, denominatorLimit, 4000, "", "larger denominators are chance") \
   ROW(std::size_t, termLimit, 5, "words", "of an equation") \
   ROW(int, choiceLimit, 128, "equations", "that one becomes") \
+  /* Faults planted by the self-check: runs side by side */ \
+  ROW(std::size_t, sideBySideTraces, 256, "traces", "of random runs: as many as one vector of bits holds") \
+  ROW(std::uint32_t, sideBySideScans, 1000, "scans", "of each") \
+  ROW(unsigned, sideBySideStretch, 7, "doublings", "inputs stay for up to 2^6 scans") \
+  ROW(double, sideBySideSeconds, 0.05, "s", "for those of the program itself; its copies take as long") \
+  ROW(std::size_t, sideBySideSuspects, 8, "traces", "in which outputs differ that are followed one by one") \
   /* Checking */ \
   ROW(double, judgeShare, 0.6, "of checking", "for the judge, who has the program as it is written") \
   ROW(double, leastCheck, 0.5, "s", "for checking certificates, whatever the deadline says") \

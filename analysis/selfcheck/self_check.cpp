@@ -5,9 +5,11 @@
 #include <atomic>
 #include <map>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include "analysis/equivalence/equivalence.hpp"
+#include "analysis/selfcheck/side_by_side.hpp"
 
 namespace rungproof {
 
@@ -24,7 +26,7 @@ class Checker {
  public:
   Checker(const Program& program, const PropertySet& set, const std::vector<ProofResult>& before,
           const SelfCheckOptions& options)
-      : program_(program), set_(set), options_(options), asked_(set) {
+      : program_(program), set_(set), options_(options), asked_(set), runs_(program, set, options.prover) {
     for (const ProofResult& result : before) {
       if (!result.builtin) before_[result.property.name] = result.outcome;
     }
@@ -33,6 +35,9 @@ class Checker {
       const auto known = before_.find(property.name);
       return property.isGoal() && (known == before_.end() || !isGood(known->second));
     });
+    for (const Property& property : asked_.properties) {
+      if (property.isGoal() && before_.at(property.name) == Outcome::Proved) proved_.push_back(&property);
+    }
   }
 
   SelfCheck run() {
@@ -86,28 +91,46 @@ class Checker {
     EquivalenceOptions both;
     both.prover = options;
     both.interruptsInside = true;
-    // Three looks, the cheap ones first: most faults show at once, or can be seen to do nothing in any single scan.
+    // The cheap looks first: most faults show at once, or can be seen to do nothing in any single scan.
+    const SideBySide::Seen seen = runs_.look(numbered, proved_);
+    result.where = seen.where;
+    result.noticedBy = seen.noticedBy;
+    if (!seen.noticedBy.empty()) {
+      result.fate = FaultFate::Noticed;
+      return;
+    }
     const double quick = std::min(secondsPerFault, options.timeout);
     both.prover.timeout = quick;
     both.oneScan = true;
     const Side before{&program_, set_}, after{&numbered, set_};
-    if (compareBehaviour(before, after, both).equality == Equality::Equal) {
+    if (seen.where.empty() && compareBehaviour(before, after, both).equality == Equality::Equal) {
       result.fate = FaultFate::NoEffect;
       return;
     }
+    PropertySet open = asked_;
     for (const double seconds : {quick, most}) {
       options.timeout = seconds;
-      prove(numbered, asked_, options, [&](const ProofResult& now, std::size_t, std::size_t) {
+      std::set<std::string> settled;
+      prove(numbered, open, options, [&](const ProofResult& now, std::size_t, std::size_t) {
         const auto known = before_.find(now.property.name);
-        if (known == before_.end() || !isGood(known->second) || !isBad(now.outcome)) return true;
+        if (known == before_.end() || !isGood(known->second)) return true;
+        if (isGood(now.outcome)) settled.insert(now.property.name);
+        if (!isBad(now.outcome)) return true;
         result.noticedBy = now.property.name;
         return false;
       });
-      if (result.noticedBy.empty()) continue;
-      result.fate = FaultFate::Noticed;
-      return;
+      if (!result.noticedBy.empty()) {
+        result.fate = FaultFate::Noticed;
+        return;
+      }
+      std::erase_if(open.properties, [&](const Property& p) { return p.isGoal() && settled.contains(p.name); });
+      if (std::ranges::none_of(open.properties, &Property::isGoal)) break;
     }
     if (isInterrupted()) return;
+    if (!seen.where.empty()) {
+      result.fate = FaultFate::Unnoticed;
+      return;
+    }
     both.prover.timeout = most;
     both.oneScan = false;
     const Equivalence found = compareBehaviour(before, after, both);
@@ -123,6 +146,8 @@ class Checker {
   const PropertySet& set_;
   const SelfCheckOptions& options_;
   PropertySet asked_;
+  std::vector<const Property*> proved_;  ///< of these
+  const SideBySide runs_;
   std::map<std::string, Outcome> before_;
 };
 

@@ -14,7 +14,7 @@ namespace rungproof {
 
 enum class FaultFate : std::uint8_t {
   Noticed,    ///< a property has a worse verdict
-  Unnoticed,  ///< the outputs differ in some run, all properties hold as before
+  Unnoticed,  ///< the outputs differ in some run, and in the time no property was seen to have a worse verdict
   NoEffect,   ///< proved: the outputs are the same in every run
   Undecided,  ///< whether it matters was not found out in the time
 };

@@ -40,6 +40,10 @@ class ManyTraces {
   std::uint64_t read(std::size_t trace, const Operand& operand) const;
   /// Traces in which a bit is on.
   TraceSet whereOn(const Operand& bit) const;
+  /// Whether whereOn() of that bit reads one row; otherwise it looks into the state of every trace.
+  bool hasRow(const Operand& bit) const {
+    return groups_ != nullptr && groups_->whereOn(bit.area, bit.offset, bit.bit).has_value();
+  }
   /// Run-time errors that have happened in a trace: which, and where.
   std::vector<std::pair<Hazard, const Instruction*>> errors(std::size_t trace) const;
 

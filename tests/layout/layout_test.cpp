@@ -55,7 +55,9 @@ const std::map<std::string, std::set<std::string>> roomsBelow = {
     {"analysis/equivalence",
      {"ir", "engine", "analysis", "analysis/flow", "analysis/lint", "analysis/unread", "analysis/graph",
       "analysis/bits", "analysis/encoding", "analysis/witness", "analysis/portfolio", "analysis/proof"}},
-    {"analysis/selfcheck", {"ir", "analysis", "analysis/proof", "analysis/equivalence"}},
+    {"analysis/selfcheck",
+     {"ir", "engine", "engine/lanes", "analysis", "analysis/schedule", "analysis/witness", "analysis/proof",
+      "analysis/equivalence"}},
 };
 
 struct Source {
