@@ -84,7 +84,7 @@ class NamedPlaces {
       case Area::AI: inputs_.insert({o.area, o.offset * 8, 16}); break;
       case Area::HC: inputs_.insert({o.area, o.offset * 8, 32}); break;
       case Area::T:
-        for (const Reg reg : {Reg::TimerBit, timerRegister(o.width), Reg::TimerRunning})
+        for (const Reg reg : {Reg::TimerBit, Reg::TimerCurrent, Reg::TimerRunning, Reg::S5Rest})
           state_.insert(registerPlace(reg, o.offset));
         break;
       case Area::C:

@@ -53,7 +53,12 @@ struct PoolCell {
 
 /// What of a program's state tells states apart. Timers count by themselves; edge memories follow from the rest.
 inline bool isTimeCell(const Place& p) {
-  return p.isRegister && (p.reg == Reg::TimerCurrent || p.reg == Reg::TimerRunning);
+  return p.isRegister && (p.reg == Reg::TimerCurrent || p.reg == Reg::TimerRunning || p.reg == Reg::S5Rest);
+}
+/// ms after which a clock that the program reads has shown all that it shows; 0: it is none.
+inline std::int64_t periodOf(const Place& p) {
+  if (!p.isRegister) return 0;
+  return p.reg == Reg::PhaseSecond ? 1000 : p.reg == Reg::PhaseMinute ? 60'000 : p.reg == Reg::ClockPhase ? 2000 : 0;
 }
 inline bool tellsStatesApart(const Place& p) {
   if (!p.isRegister) return p.area != Area::SM && p.area != Area::L;
@@ -103,7 +108,8 @@ class StatePool {
         widths_(std::move(widths)),
         constants_(constants.values().begin(), constants.values().end()) {
     for (const PoolCell& cell : cells) {
-      if (!tellsStatesApart(cell.place)) continue;
+      notePatience(0, periodOf(cell.place));
+      if (!tellsStatesApart(cell.place) || !isIn(world_.store(cell.program), cell.place)) continue;
       if (cell.place.width == 1 && !isTimeCell(cell.place))
         bits_.push_back(cell);
       else
@@ -157,6 +163,7 @@ class StatePool {
 
   // ---- What is new -------------------------------------------------------------------------------------
 
+  static bool isIn(const Concrete::Store& store, const Place& p) { return !p.isRegister || p.at < store.count(p.reg); }
   std::uint64_t read(const PoolCell& cell) const {
     const Concrete::Store& store = world_.store(cell.program);
     const Place& p = cell.place;

@@ -8,8 +8,9 @@ namespace rungproof::test {
 namespace {
 
 struct ExploredProgram {
-  explicit ExploredProgram(const std::string& properties, const std::string& networks)
-      : input(inputOf(properties, networks)), options(usualOptions()) {
+  ExploredProgram(const std::string& properties, const std::string& networks)
+      : ExploredProgram(inputOf(properties, networks)) {}
+  explicit ExploredProgram(ProgramInput given) : input(std::move(given)), options(usualOptions()) {
     for (const Property& property : input.properties.properties)
       (property.isGoal() ? goals : assumptions).push_back(property);
     for (std::size_t g = 0; g < goals.size(); ++g) all.push_back(g);
@@ -77,6 +78,29 @@ TEST(Exploration, CountersThatNeedHours) {
   ASSERT_TRUE(s.exploration->found(0).has_value());
   EXPECT_TRUE(s.isRepeated(0));
   EXPECT_GE(s.exploration->found(0)->scanCount, 2U * 7200U);
+}
+
+/// Statements of OB1 of an S7-300.
+ProgramInput step7Of(const std::string& properties, const std::string& statements) {
+  return inputOfSource("ORGANIZATION_BLOCK OB 1\n" + properties + "BEGIN\nNETWORK\n" + statements +
+                       "END_ORGANIZATION_BLOCK\n");
+}
+
+TEST(Exploration, AnS5TimerRunsToItsEndThoughNothingElseChanges) {
+  ExploredProgram s(step7Of("//@ reach end: Q0.0\n", "A I 0.0;\nL S5T#5M;\nSD T 1;\nA T 1;\n= Q 0.0;\n"));
+  s.search(20);
+  ASSERT_TRUE(s.exploration->found(0).has_value());
+  EXPECT_TRUE(s.isRepeated(0));
+  EXPECT_GE(s.exploration->found(0)->milliseconds, 300'000U);
+}
+
+TEST(Exploration, WaitsForTheClockOfAMinute) {
+  // SM0.4 is on for half a minute, off for the other half (001:14054); nothing else happens.
+  ExploredProgram s("//@ reach minute: M0.0\n", "Network 1\nLD SM0.4\nED\nS M0.0, 1\n");
+  s.search(20);
+  ASSERT_TRUE(s.exploration->found(0).has_value());
+  EXPECT_TRUE(s.isRepeated(0));
+  EXPECT_GE(s.exploration->found(0)->milliseconds, 30'000U);
 }
 
 TEST(Exploration, AssumptionsHoldAndNothingNewEndsIt) {
