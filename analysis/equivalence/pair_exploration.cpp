@@ -336,6 +336,7 @@ std::optional<EquivalenceRun> exploredRun(const Side& before, const Side& after,
   StatePool<ExploredPair> pool(pair, options.time, widths, cells, constants, options.seed);
   RandomWalks walks(pair, options.time, widths, constants, options.seed);
   pool.notePatience(runs.options.latency, runs.options.settleMs);
+  for (const RunSpace& space : spaces) pool.notePatience(0, space.clockMs);
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begin = Clock::now();
   const auto isStopped = [&] { return cancel.load(std::memory_order_relaxed) || pair.found().has_value(); };

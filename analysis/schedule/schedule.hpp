@@ -55,6 +55,7 @@
   ROW(int, longestStretch, 14, "doublings", "a long run keeps its inputs for up to 2^13 scans") \
   ROW(int, longerStretch, 16, "runs", "of which one is 16 times as long") \
   ROW(std::uint64_t, exactBelow, 64, "", "words below tell states apart by value, above by size") \
+  ROW(double, otherReadingsShare, 0.25, "of an exploration", "for all readings of open points but those that are chosen") \
   ROW(std::uint32_t, exploredScansBetweenLooks, 64, "scans", "between two looks at the clock") \
   ROW(std::size_t, newestStates, 8, "states", "that are chosen more often") \
   ROW(int, barrenRuns, 50000, "runs", "without a new state, after which the exploration is at its end") \

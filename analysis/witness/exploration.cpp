@@ -16,6 +16,7 @@ class ExploredProgram {
   struct Snapshot {
     Concrete::Store store;
     std::vector<Follower> assumptions, goals;
+    std::size_t engine;
   };
 
   ExploredProgram(const Program& program, const RunSpace& space, const std::vector<Property>& assumptions,
@@ -25,47 +26,54 @@ class ExploredProgram {
         assumptions_(assumptions),
         goals_(goals),
         inputs_(space.inputs),
-        simulator_(program, stillOptions(choices_), &outside_),
         domain_(outside_),
         wanted_(std::move(wanted)),
         found_(goals.size()) {
-    simulator_.readUnknownAsZero(true);  // as outside_ says
-    simulator_.expectFreeZero();
+    addEngine(choices_);
+    if (space.otherReadings) addEngine(*space.otherReadings);
+    for (const auto& engine : engines_) starts_.push_back(engine->store());
     for (const Property& property : assumptions_) nowAssumed_.emplace_back(property);
     for (const std::size_t goal : wanted_) nowGoals_.emplace_back(goals_[goal]);
   }
 
-  Snapshot snapshot() const { return {simulator_.store(), nowAssumed_, nowGoals_}; }
+  /// Power-up under other readings than the chosen ones.
+  void startWithOtherReadings() {
+    engine_ = 1;
+    engine().setStore(starts_[1]);
+  }
+  Snapshot snapshot() const { return {engine().store(), nowAssumed_, nowGoals_, engine_}; }
   void restore(const Snapshot& from) {
-    simulator_.setStore(from.store);
+    engine_ = from.engine;
+    engine().setStore(from.store);
     nowAssumed_ = std::vector<Follower>(from.assumptions);
     nowGoals_ = std::vector<Follower>(from.goals);
     shown_.clear();
   }
-  const Concrete::Store& store(std::size_t) const { return simulator_.store(); }
+  const Concrete::Store& store(std::size_t) const { return engine().store(); }
 
   void begin(const RunStep& step) {
     script_ = scanOf(step);
-    for (const PresetValue& input : script_.inputs) simulator_.write(input.operand, input.value);
+    for (const PresetValue& input : script_.inputs) engine().write(input.operand, input.value);
   }
   Went scan(bool isFirst) {
-    simulator_.scan({.lengthUs = script_.lengthMs * 1000, .script = &script_.script});
-    if (!hasScanEnd(simulator_.store())) return Went::Ended;
+    engine().scan({.lengthUs = script_.lengthMs * 1000, .script = &script_.script});
+    if (!hasScanEnd(engine().store())) return Went::Ended;
     for (Follower& assumption : nowAssumed_) {
-      if (!assumption.evaluate(domain_, simulator_.store(), script_, isFirst)) return Went::Broken;
+      if (!assumption.evaluate(domain_, engine().store(), script_, isFirst)) return Went::Broken;
     }
     for (std::size_t i = 0; i < wanted_.size(); ++i) {
-      if (isOpen(wanted_[i]) && nowGoals_[i].evaluate(domain_, simulator_.store(), script_, isFirst))
+      if (isOpen(wanted_[i]) && nowGoals_[i].evaluate(domain_, engine().store(), script_, isFirst))
         shown_.push_back(wanted_[i]);
     }
-    return simulator_.isRunning() ? Went::On : Went::Ended;
+    return engine().isRunning() ? Went::On : Went::Ended;
   }
   bool hasShown() const { return !shown_.empty(); }
   void keepShown(const std::vector<RunStep>& way) {
     std::vector<ReplayScan> scans;
     for (const RunStep& step : way) scans.push_back(scanOf(step));
+    const auto start = engine_ == 0 ? std::nullopt : std::optional(starts_[engine_]);
     for (const std::size_t goal : shown_)
-      found_[goal] = Judge(program_, choices_, assumptions_, goals_[goal]).witness(scans, std::nullopt);
+      found_[goal] = Judge(program_, choices_, assumptions_, goals_[goal]).witness(scans, start);
     shown_.clear();
   }
 
@@ -76,6 +84,13 @@ class ExploredProgram {
   }
 
  private:
+  void addEngine(const Choices& choices) {
+    engines_.push_back(std::make_unique<Simulator>(program_, stillOptions(choices), &outside_));
+    engines_.back()->readUnknownAsZero(true);  // as outside_ says
+    engines_.back()->expectFreeZero();
+  }
+  Simulator& engine() { return *engines_[engine_]; }
+  const Simulator& engine() const { return *engines_[engine_]; }
   bool isOpen(std::size_t goal) const { return !found_[goal] && !withdrawn_.contains(goal); }
   ReplayScan scanOf(const RunStep& step) const {
     ReplayScan scan;
@@ -94,7 +109,9 @@ class ExploredProgram {
   const std::vector<Property>& goals_;
   const std::vector<RunSpace::Input> inputs_;
   StillOutside outside_;
-  Simulator simulator_;
+  std::vector<std::unique_ptr<Simulator>> engines_;  ///< under the chosen readings, then others: code is made for one
+  std::vector<Concrete::Store> starts_;
+  std::size_t engine_ = 0;
   Concrete domain_;
   const std::vector<std::size_t> wanted_;
   std::set<std::size_t> withdrawn_;
@@ -141,29 +158,63 @@ class Exploration::Impl {
   Impl(const Program& program, const RunSpace& space, const std::vector<Property>& assumptions,
        const std::vector<Property>& goals, const std::vector<std::size_t>& wanted, std::uint64_t seed)
       : world_(program, space, assumptions, goals, wanted),
-        pool_(world_, space.time, widthsOf(space), cellsOf(space), constantsOf(program, goals, assumptions), seed) {
+        constants_(constantsOf(program, goals, assumptions)),
+        chosen_(poolOf(space, seed)) {
+    if (space.otherReadings) {
+      world_.startWithOtherReadings();
+      others_.emplace(poolOf(space, seed));
+    }
     for (const Property& property : assumptions) notePatience(property);
     for (const std::size_t goal : wanted) notePatience(goals[goal]);
   }
 
   void withdraw(std::size_t goal) { world_.withdraw(goal); }
   const std::optional<Witness>& found(std::size_t goal) const { return world_.found(goal); }
+  /// The readings that are chosen have most of the time; where all goals are looked for together, the others have the
+  /// rest.
   bool search(Clock::time_point deadline, const std::atomic<bool>& cancel, std::optional<std::size_t> goal) {
-    return pool_.search([&] { return cancel.load(std::memory_order_relaxed) || Clock::now() >= deadline; },
-                        [&] { return goal ? world_.found(*goal).has_value() : world_.isAllFound(); });
+    bool isBarren = true;
+    const auto explore = [&](StatePool<ExploredProgram>& pool, Clock::time_point end) {
+      isBarren = !pool.search([&] { return cancel.load(std::memory_order_relaxed) || Clock::now() >= end; },
+                              [&] { return isDone(goal); }) &&
+                 isBarren;
+    };
+    if (goal || !others_) {
+      explore(chosen_, deadline);
+    } else {
+      const auto rest =
+          std::chrono::duration_cast<Clock::duration>((deadline - Clock::now()) * schedule::otherReadingsShare);
+      explore(chosen_, deadline - rest);
+      if (!isDone(goal)) explore(*others_, Clock::now() + rest);
+    }
+    return !isBarren;
   }
 
  private:
+  bool isDone(std::optional<std::size_t> goal) const {
+    return goal ? world_.found(*goal).has_value() : world_.isAllFound();
+  }
   void notePatience(const Property& property) {
     const bool isScans = property.kind == PropertyKind::LeadsToScans;
-    pool_.notePatience(isScans ? property.bound : 0, isScans ? 0 : property.bound);
-    for (const Expr* expr : {&property.first, &property.second}) {
-      for (const ExprNode& node : expr->nodes) pool_.notePatience(0, node.milliseconds);
-    }
+    const auto note = [&](StatePool<ExploredProgram>& pool) {
+      pool.notePatience(isScans ? property.bound : 0, isScans ? 0 : property.bound);
+      for (const Expr* expr : {&property.first, &property.second}) {
+        for (const ExprNode& node : expr->nodes) pool.notePatience(0, node.milliseconds);
+      }
+    };
+    note(chosen_);
+    if (others_) note(*others_);
+  }
+  StatePool<ExploredProgram> poolOf(const RunSpace& space, std::uint64_t seed) {
+    StatePool<ExploredProgram> pool(world_, space.time, widthsOf(space), cellsOf(space), constants_, seed);
+    pool.notePatience(0, space.clockMs);
+    return pool;
   }
 
   ExploredProgram world_;
-  StatePool<ExploredProgram> pool_;
+  const PoolConstants constants_;
+  StatePool<ExploredProgram> chosen_;
+  std::optional<StatePool<ExploredProgram>> others_;  ///< of runs under other readings
 };
 
 Exploration::Exploration(const Program& program, const RunSpace& space, const std::vector<Property>& assumptions,

@@ -4,10 +4,49 @@
 #include <algorithm>
 #include <set>
 
+#include "ir/s7200/reading.hpp"
+#include "ir/s7200/scan_cycle.hpp"
+#include "ir/s7300/clock_memory.hpp"
+
 namespace rungproof {
 
+namespace {
+
+/// Gives the choice that a cell of Reg::Reading stands for another reading than the one that is in force.
+void turnReading(RunSpace& space, std::uint32_t index) {
+  const Choice choice = choiceOfReading(index);
+  if (space.choices.isFixed(choice)) return;
+  if (!space.otherReadings) space.otherReadings = space.choices;
+  const std::uint8_t value = valueOfReading(index);
+  space.otherReadings->value[static_cast<std::size_t>(choice)] = space.choices[choice] == value ? 0 : value;
+}
+
+/// ms: of SM0.4, SM0.5, or the slowest bit of a clock memory.
+std::uint32_t slowestClockOf(const Program& program) {
+  std::uint32_t slowest = program.clockMemory ? clockPeriods.back() : 0;
+  for (const Pou& pou : program.pous) {
+    for (const Network& network : pou.networks) {
+      for (const Instruction& instruction : network.instructions) {
+        for (const Operand& o : instruction.operands) {
+          if (o.kind != OperandKind::Direct || o.area != Area::SM || o.offset != 0) continue;
+          const bool isMinute = o.width != Width::Bit || o.bit == 4;
+          slowest = std::max(slowest, isMinute ? minuteClock : o.bit == 5 ? secondClock : 0);
+        }
+      }
+    }
+  }
+  return slowest;
+}
+
+}  // namespace
+
 RunSpace runSpaceOf(const EncodedScan& encoding) {
-  RunSpace space{encoding.options().choices, encoding.options().time, {}, {}};
+  RunSpace space{encoding.options().choices,
+                 std::nullopt,
+                 encoding.options().time,
+                 slowestClockOf(*encoding.plan().program),
+                 {},
+                 {}};
   std::vector<Node> nodes;
   for (const ScanInput& input : scanInputsOf(encoding)) {
     const auto at = std::find(nodes.begin(), nodes.end(), input.node);
@@ -20,6 +59,7 @@ RunSpace runSpaceOf(const EncodedScan& encoding) {
   }
   for (const Cell& cell : encoding.cells()) {
     if (cell.kind == CellKind::State) space.state.push_back(cell.place);
+    if (cell.place.isRegister && cell.place.reg == Reg::Reading) turnReading(space, cell.place.at);
   }
   return space;
 }
@@ -106,7 +146,7 @@ class NamedPlaces {
 }  // namespace
 
 RunSpace runSpaceOf(const Program& program, const PropertySet& set, const Choices& choices, const TimeRange& time) {
-  RunSpace space{choices, time, {}, {}};
+  RunSpace space{choices, std::nullopt, time, slowestClockOf(program), {}, {}};
   NamedPlaces(program, set).put(space);
   return space;
 }

@@ -3,6 +3,7 @@
 // Covered by tests/prover/exploration_test.cpp.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "analysis/encoding/scan_inputs.hpp"
@@ -18,7 +19,9 @@ struct RunSpace {
   };
 
   Choices choices;
+  std::optional<Choices> otherReadings;  ///< of the open points on which the program depends; nothing: there are none
   TimeRange time;
+  std::uint32_t clockMs = 0;  ///< period of the slowest clock that the program reads; 0: it reads none
   std::vector<Input> inputs;
   std::vector<Place> state;
 };

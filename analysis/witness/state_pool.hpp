@@ -55,11 +55,6 @@ struct PoolCell {
 inline bool isTimeCell(const Place& p) {
   return p.isRegister && (p.reg == Reg::TimerCurrent || p.reg == Reg::TimerRunning || p.reg == Reg::S5Rest);
 }
-/// ms after which a clock that the program reads has shown all that it shows; 0: it is none.
-inline std::int64_t periodOf(const Place& p) {
-  if (!p.isRegister) return 0;
-  return p.reg == Reg::PhaseSecond ? 1000 : p.reg == Reg::PhaseMinute ? 60'000 : p.reg == Reg::ClockPhase ? 2000 : 0;
-}
 inline bool tellsStatesApart(const Place& p) {
   if (!p.isRegister) return p.area != Area::SM && p.area != Area::L;
   return isTimeCell(p) || p.reg == Reg::TimerBit || p.reg == Reg::CounterBit || p.reg == Reg::CounterCurrent ||
@@ -108,7 +103,6 @@ class StatePool {
         widths_(std::move(widths)),
         constants_(constants.values().begin(), constants.values().end()) {
     for (const PoolCell& cell : cells) {
-      notePatience(0, periodOf(cell.place));
       if (!tellsStatesApart(cell.place) || !isIn(world_.store(cell.program), cell.place)) continue;
       if (cell.place.width == 1 && !isTimeCell(cell.place))
         bits_.push_back(cell);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 
+#include "ir/s7200/pulse_output.hpp"
 #include "ir/s7200/scan.hpp"
 #include "ir/s7200/timer_refresh.hpp"
 
@@ -24,6 +25,9 @@ struct Ticks {
 
 /// Longest `elapsed` of one call of advanceClocks(), in ms.
 inline constexpr int longestStep = 999;
+
+/// ms: the periods of SM0.4 and SM0.5 (001:14054).
+inline constexpr std::uint32_t minuteClock = 60'000, secondClock = 1000;
 
 /// The whole ticks that have gathered in the phases; what is left of a tick stays there.
 template <class D>
@@ -61,8 +65,8 @@ void advanceClocks(Machine<D>& m, typename D::Bits elapsed) {
   };
   m.set(Reg::PhaseTen, 0, m.d.add(m.get(Reg::PhaseTen), elapsed, 16));
   m.set(Reg::PhaseHundred, 0, m.d.add(m.get(Reg::PhaseHundred), elapsed, 16));
-  wrapAt(Reg::PhaseSecond, 1000);
-  wrapAt(Reg::PhaseMinute, 60000);
+  wrapAt(Reg::PhaseSecond, secondClock);
+  wrapAt(Reg::PhaseMinute, minuteClock);
 }
 
 /// Bits of SM0 by their numbers.
@@ -96,8 +100,8 @@ void beginStatus(Machine<D>& m) {
   const auto first = m.getBit(Reg::FirstScan);
   const auto startsOn = m.reads({Choice::ScanClockStart, "on"});
   const auto other = m.d.lxor(m.sm(0, 6), m.getBit(Reg::Running));
-  showStatus<D>(m, {{4, half(Reg::PhaseMinute, 60000)},
-                    {5, half(Reg::PhaseSecond, 1000)},
+  showStatus<D>(m, {{4, half(Reg::PhaseMinute, minuteClock)},
+                    {5, half(Reg::PhaseSecond, secondClock)},
                     {1, first},
                     {6, m.d.select(first, startsOn, other)}});
 }

@@ -2,6 +2,7 @@
 #include "analysis/witness/exploration.hpp"
 
 #include "analysis/encoding/asked_properties.hpp"
+#include "ir/s7200/reading.hpp"
 #include "proved_text.hpp"
 
 namespace rungproof::test {
@@ -92,6 +93,18 @@ TEST(Exploration, AnS5TimerRunsToItsEndThoughNothingElseChanges) {
   ASSERT_TRUE(s.exploration->found(0).has_value());
   EXPECT_TRUE(s.isRepeated(0));
   EXPECT_GE(s.exploration->found(0)->milliseconds, 300'000U);
+}
+
+TEST(Exploration, TriesOtherReadingsOfOpenPoints) {
+  // Q0.0 is what T1 was at the instruction. Where its end is seen at the start of a scan only (s5-time = synchronous,
+  // the engine's reading), it is the same at the end; where it may come at any time, T1 may end behind the instruction.
+  ExploredProgram s(step7Of("//@ reach later: T1 and not Q0.0\n", "A I 0.0;\nL S5T#2S;\nSD T 1;\nA T 1;\n= Q 0.0;\n"));
+  ASSERT_TRUE(s.options.choices.is(Choice::S5Time, "synchronous"));
+  s.search(20);
+  ASSERT_TRUE(s.exploration->found(0).has_value());
+  ASSERT_TRUE(s.exploration->found(0)->initial.has_value());
+  EXPECT_EQ(readingIn(*s.exploration->found(0)->initial, Choice::S5Time), 1);
+  EXPECT_TRUE(s.isRepeated(0));
 }
 
 TEST(Exploration, WaitsForTheClockOfAMinute) {
