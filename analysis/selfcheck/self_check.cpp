@@ -93,10 +93,9 @@ class Checker {
     both.interruptsInside = true;
     // The cheap looks first: most faults show at once, or can be seen to do nothing in any single scan.
     const SideBySide::Seen seen = runs_.look(numbered, proved_);
-    result.where = seen.where;
-    result.noticedBy = seen.noticedBy;
     if (!seen.noticedBy.empty()) {
       result.fate = FaultFate::Noticed;
+      result.noticedBy = seen.noticedBy;
       return;
     }
     const double quick = std::min(secondsPerFault, options.timeout);
@@ -129,6 +128,7 @@ class Checker {
     if (isInterrupted()) return;
     if (!seen.where.empty()) {
       result.fate = FaultFate::Unnoticed;
+      result.where = seen.where;
       return;
     }
     both.prover.timeout = most;

@@ -18,14 +18,6 @@ namespace {
 
 constexpr std::size_t wordBits = 64;
 
-std::vector<Property> assumptionsIn(const PropertySet& set) {
-  std::vector<Property> assumptions;
-  for (const Property& property : set.properties) {
-    if (!property.isGoal()) assumptions.push_back(property);
-  }
-  return assumptions;
-}
-
 /// Followed along one run: whether what is assumed still holds.
 class Assumed {
  public:
@@ -47,11 +39,9 @@ class Assumed {
 }  // namespace
 
 SideBySide::SideBySide(const Program& program, const PropertySet& set, const ProverOptions& options)
-    : program_(program),
-      choices_(choicesFor(program.target, options.choices)),
-      time_(options.time),
-      assumptions_(assumptionsIn(set)) {
+    : program_(program), choices_(choicesFor(program.target, options.choices)), time_(options.time) {
   if (options.bound > 0) return;
+  std::ranges::copy_if(set.properties, std::back_inserter(assumptions_), std::not_fn(&Property::isGoal));
   const RunSpace space = runSpaceOf(program, set, choices_, time_);
   for (const RunSpace::Input& input : space.inputs) {
     for (const ScanInput& part : input.operands) {

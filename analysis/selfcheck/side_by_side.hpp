@@ -15,7 +15,7 @@ namespace rungproof {
 
 class SideBySide {
  public:
-  /// Makes the runs of the program itself. It and the set must outlive this.
+  /// Makes the runs of the program itself. It must outlive this.
   SideBySide(const Program& program, const PropertySet& set, const ProverOptions& options);
 
   struct Seen {
@@ -48,7 +48,7 @@ class SideBySide {
   const Program& program_;
   const Choices choices_;
   const TimeRange time_;
-  const std::vector<Property> assumptions_;
+  std::vector<Property> assumptions_;
   std::vector<Operand> bits_, words_, watched_;  ///< inputs; output bits that are compared
   std::vector<std::uint64_t> constants_;         ///< that words are set to
   std::vector<Phase> phases_;

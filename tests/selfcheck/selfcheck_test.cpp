@@ -42,6 +42,7 @@ TEST(SelfCheck, TellsNoticedFromUnnoticed) {
   ASSERT_NE(stop, nullptr);
   EXPECT_EQ(stop->fate, FaultFate::Noticed);
   EXPECT_EQ(stop->noticedBy, "stop");
+  EXPECT_EQ(stop->where, "");  // an output is named where nothing notices
   const FaultResult* start = faultNamed(check, "LDN I0.0", FaultKind::Polarity);
   ASSERT_NE(start, nullptr);
   EXPECT_EQ(start->fate, FaultFate::Unnoticed);
