@@ -93,7 +93,13 @@ InstructionTable::FormsOfOne InstructionTable::formsOf(const Desc& desc) const {
   FormsOfOne forms;
   if (const std::optional<Role> opposite = oppositeOf(desc.role))
     forms.opposite = formLike(rows_, desc, {*opposite, desc.negated, desc.immediate});
-  if (!isContact(desc.role)) return forms;
+  if (!isContact(desc.role)) {
+    const std::string name(desc.stl);
+    forms.negated = desc.negated ? named(name.substr(0, name.size() - 1)) : named(name + "N");
+    if (forms.negated != nullptr && (isContact(forms.negated->role) || forms.negated->negated == desc.negated))
+      forms.negated = nullptr;
+    return forms;
+  }
   forms.load = formLike(rows_, desc, {Role::Load, desc.negated, desc.immediate});
   forms.conjunction = formLike(rows_, desc, {Role::And, desc.negated, desc.immediate});
   forms.disjunction = formLike(rows_, desc, {Role::Or, desc.negated, desc.immediate});
@@ -107,6 +113,10 @@ InstructionTable::Forms InstructionTable::makeForms() const {
   Forms forms;
   forms.of.resize(rows_.size());
   for (const Desc& desc : rows_) forms.of[desc.opcode] = formsOf(desc);
+  forms.plainAssign = &onlyOne(rows_, [](const Desc& desc) { return isPlainCoil(desc); });
+  // An S7-300/400 checks bits with A, O and X, whatever stands before them.
+  const bool hasContacts = std::ranges::any_of(rows_, [](const Desc& desc) { return isContact(desc.role); });
+  if (!hasContacts) return forms;
   for (const Role joint : {Role::Load, Role::And, Role::Or}) {
     for (const bool negated : {false, true}) {
       for (const bool immediate : {false, true}) {
@@ -117,12 +127,13 @@ InstructionTable::Forms InstructionTable::makeForms() const {
       }
     }
   }
-  forms.plainAssign = &onlyOne(rows_, [](const Desc& desc) { return isPlainCoil(desc); });
   return forms;
 }
 
 const Desc& InstructionTable::bitContact(Role joint, bool negated, bool immediate) const {
-  return *forms().bitContacts[contactRow(joint, negated, immediate)];
+  const Desc* contact = forms().bitContacts[contactRow(joint, negated, immediate)];
+  CHECK(contact != nullptr, "the dialect has contacts");
+  return *contact;
 }
 
 const Desc& InstructionTable::only(Role role) const {

@@ -112,6 +112,10 @@ class Finder {
                             fmt::format("networks {} and {} in the other order", here().number, next.number)));
   }
 
+  /// Whether its rungs can be told from each other: where no load begins them, the network is one.
+  static bool hasRungs(const Network& network) {
+    return std::ranges::any_of(network.instructions, [](const Instruction& i) { return roleOf(i) == Role::Load; });
+  }
   /// An S and an R of one bit, each behind a rung of its own.
   void latchOrders() {
     struct Latch {
@@ -133,6 +137,7 @@ class Finder {
       for (std::size_t b = a + 1; b < found.size(); ++b) {
         const Instruction &first = at(found[a]), &second = at(found[b]);
         if (first.desc == second.desc || toString(first.operands[0]) != toString(second.operands[0])) continue;
+        if (found[a].network == found[b].network && !hasRungs(networks[found[a].network])) continue;
         network_ = found[a].network;
         index_ = found[a].instruction;
         Fault result = fault(FaultKind::LatchOrder,

@@ -78,6 +78,28 @@ TEST(SelfCheck, PlantsEveryKind) {
   EXPECT_EQ(count[FaultKind::SwappedNetworks], 2U);
 }
 
+TEST(SelfCheck, PlantsFaultsInS7300Programs) {
+  const ProgramInput input = inputOfSource(
+      "ORGANIZATION_BLOCK OB 1\n//@ prove stop wins: not I0.1 implies not Q0.0\nBEGIN\n"
+      "NETWORK\nA I 0.0;\nS Q 0.0;\nAN I 0.1;\nR Q 0.0;\nNETWORK\nO I 0.2;\n= Q 0.1;\nEND_ORGANIZATION_BLOCK\n");
+  std::map<FaultKind, std::size_t> count;
+  for (const Fault& fault : faultsOf(input.program)) ++count[fault.kind];
+  EXPECT_EQ(count[FaultKind::Polarity], 3U);  // A, AN and O
+  EXPECT_EQ(count[FaultKind::SetForReset], 2U);
+  EXPECT_EQ(count[FaultKind::LatchOrder], 0U);  // nothing says where one rung ends
+  EXPECT_EQ(count[FaultKind::SwappedNetworks], 1U);
+  const SelfCheck check = checked(input);
+  const FaultResult* stop = faultNamed(check, "A I0.1 for AN I0.1", FaultKind::Polarity);
+  ASSERT_NE(stop, nullptr);
+  EXPECT_EQ(stop->noticedBy, "stop wins");
+  const FaultResult* lamp = faultNamed(check, "ON I0.2 for O I0.2", FaultKind::Polarity);
+  ASSERT_NE(lamp, nullptr);
+  EXPECT_EQ(lamp->fate, FaultFate::Unnoticed);
+  const FaultResult* order = faultNamed(check, "networks 1 and 2", FaultKind::SwappedNetworks);
+  ASSERT_NE(order, nullptr);
+  EXPECT_EQ(order->fate, FaultFate::NoEffect);
+}
+
 TEST(SelfCheck, OrderOfSetAndResetExchangesTheirRungs) {
   const ProgramInput input = inputOf("", "Network 1\nLD I0.0\nS Q0.0, 1\nLD I0.1\nA I0.2\nR Q0.0, 1\n");
   for (const Fault& fault : faultsOf(input.program)) {
