@@ -2,6 +2,9 @@
 // local memory. Part of the simulator, kept apart because only its own sources see the walk.
 #pragma once
 
+#include <algorithm>
+#include <span>
+
 #include "engine/simulator.hpp"
 #include "ir/s7200/call_contract.hpp"
 #include "ir/s7200/scan_cycle.hpp"
@@ -32,14 +35,21 @@ struct Simulator::Hooks {
 
   Execute<Concrete> entry(const FlowStep& step) const { return simulator.costs_[step.id()].run; }
 
-  /// `base`: where the block's local memory begins.
-  void freshLocal(Runner& runner, std::uint32_t base, std::uint32_t byte) {
-    std::uint64_t value = simulator.unknownIsZero_ ? 0 : runner.machine().external(External::LocalMemory, byte, 8);
+  /// Local memory of a block that begins, from `base` on.
+  void freshBytes(Runner& runner, std::uint32_t base, std::uint32_t count) {
     const Activation<Concrete>* running = runner.machine().step7.running;
-    const bool isStart = running != nullptr && running->call == nullptr && running->localBase == base;
-    if (isStart && simulator.outside_ == nullptr)
-      value = simulator.startByte(numberOfBlock(running->pou->number), byte, value);
-    simulator.store_.area(Area::L)[base + byte] = static_cast<std::uint8_t>(value);
+    const bool isStart =
+        simulator.outside_ == nullptr && running != nullptr && running->call == nullptr && running->localBase == base;
+    const std::span<std::uint8_t> memory = std::span(simulator.store_.area(Area::L)).subspan(base, count);
+    if (simulator.unknownIsZero_ && !isStart) {
+      std::ranges::fill(memory, std::uint8_t{0});
+      return;
+    }
+    for (std::uint32_t byte = 0; byte < count; ++byte) {
+      std::uint64_t value = simulator.unknownIsZero_ ? 0 : runner.machine().external(External::LocalMemory, byte, 8);
+      if (isStart) value = simulator.startByte(numberOfBlock(running->pou->number), byte, value);
+      memory[byte] = static_cast<std::uint8_t>(value);
+    }
   }
 };
 

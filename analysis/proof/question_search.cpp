@@ -208,7 +208,7 @@ std::optional<Witness> QuestionSearch::OwnRuns::search(QuestionAnswer& answer, d
       auto found = guidedRuns(search_.program_, encoding, search_.assumptions_, {&goals[goal_]}, search_.options_.seed,
                               {std::min(seconds, schedule::engineSeconds)});
       if (found[0]) turn.settled();
-      if (found[0]) return shown(std::move(*found[0]), "engine runs");
+      if (found[0]) return shown(found[0]->witness(), "engine runs");
     }
     if (!search_.options_.techniques.has(Technique::Exploration)) return std::nullopt;
     exploration_ = std::make_unique<Exploration>(search_.program_, runSpaceOf(encoding), search_.assumptions_, goals,

@@ -116,12 +116,13 @@ void QuestionSearch::searchOnEngine(Wanted&& wanted, std::uint64_t instructions,
   if (options_.bound > 0 || watch_.isStopped()) return;
   if (!options_.techniques.has(Technique::EngineRuns)) return;
   TechniqueTurn turn(&log_, Technique::EngineRuns, open.size());
-  std::vector<std::optional<Witness>> found = guidedRuns(
+  std::vector<std::optional<GuidedRun>> found = guidedRuns(
       program_, exact_->askedProperties().encoding(), assumptions_, goals, options_.seed,
       {std::min(options_.timeout * schedule::engineShare, schedule::engineSeconds), instructions, watched.size()});
   for (std::size_t i = 0; i < open.size(); ++i) {
     if (!found[i]) continue;
-    show(open[i], std::move(*found[i]), "engine runs");
+    // Nobody looks at the run that meets a premise.
+    show(open[i], isDeclared(open[i]) ? found[i]->witness() : Witness{}, "engine runs");
     turn.settled();
   }
 }

@@ -22,7 +22,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint32_t endless = 1U << 30;
 constexpr std::size_t longestQueue = 16;  ///< of all CPUs (001:5488)
 
 /// What replay() gives where a script gives nothing.
@@ -43,24 +42,31 @@ class Remembered {
  public:
   /// Whether it is as it was at the call before this one.
   bool isAsBefore(const Concrete::Store& state, std::vector<std::uint64_t> cells) {
-    std::vector<std::uint64_t> now = std::move(cells);
+    std::vector<std::uint8_t> memory;
     for (const Area area : {Area::Q, Area::V, Area::M, Area::S, Area::DB})
-      now.insert(now.end(), state.area(area).begin(), state.area(area).end());
+      memory.insert(memory.end(), state.area(area).begin(), state.area(area).end());
     for (std::size_t r = 0; r < static_cast<std::size_t>(Reg::count); ++r) {
       const Reg reg = static_cast<Reg>(r);
       if (Concrete::Store::isTerminal(reg) || std::ranges::find(clocks, reg) != clocks.end()) continue;
       const auto values = state.registers().subspan(state.indexOf(reg, 0), state.count(reg));
-      now.insert(now.end(), values.begin(), values.end());
+      cells.insert(cells.end(), values.begin(), values.end());
     }
-    std::swap(now, before_);
-    return now == before_;
+    std::swap(cells, cells_);
+    std::swap(memory, memory_);
+    return cells == cells_ && memory == memory_;
   }
 
  private:
   static constexpr std::array clocks = {Reg::TimedElapsed, Reg::CyclicElapsed, Reg::PhaseTen,   Reg::PhaseHundred,
                                         Reg::PhaseSecond,  Reg::PhaseMinute,   Reg::ClockPhase, Reg::LastScan};
-  std::vector<std::uint64_t> before_;
+  std::vector<std::uint64_t> cells_;
+  std::vector<std::uint8_t> memory_;
 };
+
+/// The scan that follows the one at `at`; their number: none.
+std::size_t nextOf(const std::vector<ReplayScan>& scans, std::size_t at, bool comesAgain) {
+  return comesAgain ? (at + 1) % scans.size() : at + 1;
+}
 
 class GuidedSearch {
  public:
@@ -82,7 +88,7 @@ class GuidedSearch {
       first_ = {main->steps.front().instruction->id, 0};
   }
 
-  std::vector<std::optional<Witness>> run() {
+  std::vector<std::optional<GuidedRun>> run() {
     const std::uint64_t most =
         limits_.instructions / std::max<std::uint64_t>(program_.instructionCount(), schedule::leastInstructions);
     const auto goesOn = [&] { return !isDone() && used() < limits_.seconds; };
@@ -154,9 +160,9 @@ class GuidedSearch {
     bool hasShown;
   };
   /// Ends after `most` scans in which nothing is shown, or when the search has lasted that share of its time.
-  Made make(const Run& run, std::uint64_t most, double share) {
+  Made make(Run run, std::uint64_t most, double share) {
     const Sought sought = seek(run, most, share * limits_.seconds);
-    return {sought.barren, sought.last && confirm(run, *sought.last)};
+    return {sought.barren, sought.last && confirm(std::move(run), *sought.last)};
   }
 
   /// Interrupts at one place: none, a few, or more of one event at once than a queue holds.
@@ -245,7 +251,7 @@ class GuidedSearch {
       return count - shown < most && (count % schedule::guidedScansBetweenLooks != 0 || used() < seconds) &&
              simulator.isRunning() && !isAtRest();
     };
-    for (std::size_t at = 0; at < run.scans.size(); at = run.comesAgain ? (at + 1) % run.scans.size() : at + 1) {
+    for (std::size_t at = 0; at < run.scans.size(); at = nextOf(run.scans, at, run.comesAgain)) {
       const ReplayScan& scan = run.scans[at];
       ScanScript script = scan.script;
       script.needsCauses = true;
@@ -260,46 +266,24 @@ class GuidedSearch {
   }
 
   /// What the reference engine shows in the first `last` scans; false: nothing.
-  bool confirm(const Run& run, std::uint64_t last) {
-    std::vector<ReplayScan> scans = run.scans;
-    if (run.comesAgain && scans.size() == 1) scans[0].repeats = endless;
-    if (run.comesAgain && scans.size() > 1) scans.reserve(std::max<std::size_t>(scans.size(), last));
-    while (run.comesAgain && scans.size() > 1 && scans.size() < last) scans.push_back(scans[scans.size() - 2]);
+  bool confirm(Run run, std::uint64_t last) {
+    const auto scans = std::make_shared<const std::vector<ReplayScan>>(std::move(run.scans));
+    ReplayRun replayed(program_, choices_);
     Course course(*this);
-    std::size_t step = ~std::size_t{0};
-    std::uint32_t round = 0;
-    struct Shown {
-      std::size_t goal, scans;
-      std::uint32_t rounds;
-    };
-    std::vector<Shown> shown;
-    replay(program_, choices_, scans, nullptr, [&](const Concrete::Store& state, std::size_t at) {
-      round = at == step ? round + 1 : 0;
-      step = at;
-      const bool isOpen = course.look(state, scans[at], [&](std::size_t goal) {
-        shown.push_back({goal, at + 1, round + 1});
-      });
-      return isOpen && course.count() < last;
-    });
-    // From the longest run to the shortest, which may be cut out of it.
-    for (auto next = shown.rbegin(); next != shown.rend(); ++next) {
-      scans.resize(next->scans);
-      const bool isLast = next + 1 == shown.rend();
-      found_[next->goal] = witnessOf(isLast ? std::move(scans) : scans, next->rounds);
+    bool hasShown = false;
+    std::size_t at = 0;
+    for (bool goesOn = true; goesOn && at < scans->size(); at = nextOf(*scans, at, run.comesAgain)) {
+      const ReplayScan& scan = (*scans)[at];
+      replayed.load(scan);
+      for (std::uint32_t round = 0; round < scan.repeats && goesOn; ++round) {
+        const bool isOpen = course.look(replayed.scan(), scan, [&](std::size_t goal) {
+          found_[goal] = {scans, run.comesAgain, course.count()};
+          hasShown = true;
+        });
+        goesOn = isOpen && course.count() < last && replayed.isRunning();
+      }
     }
-    return !shown.empty();
-  }
-
-  /// `rounds`: of the last scan.
-  static Witness witnessOf(std::vector<ReplayScan> scans, std::uint32_t rounds) {
-    scans.back().repeats = rounds;
-    Witness witness;
-    for (const ReplayScan& scan : scans) {
-      witness.scanCount += scan.repeats;
-      witness.milliseconds += static_cast<std::uint64_t>(scan.repeats) * scan.lengthMs;
-    }
-    witness.scans = std::move(scans);
-    return witness;
+    return hasShown;
   }
 
   const Program& program_;
@@ -314,15 +298,30 @@ class GuidedSearch {
   std::vector<PresetValue> inputs_;
   std::vector<int> events_;  ///< that the program attaches
   ScanPlace first_;          ///< in front of the program
-  std::vector<std::optional<Witness>> found_;
+  std::vector<std::optional<GuidedRun>> found_;
 };
 
 }  // namespace
 
-std::vector<std::optional<Witness>> guidedRuns(const Program& program, const EncodedScan& encoding,
-                                               const std::vector<Property>& assumptions,
-                                               const std::vector<const Property*>& goals, std::uint64_t seed,
-                                               const GuidedLimits& limits) {
+Witness GuidedRun::witness() const {
+  Witness witness;
+  witness.scanCount = count;
+  const bool isOneScan = comesAgain && scans->size() == 1;
+  if (comesAgain && !isOneScan) witness.scans.reserve(count);
+  std::uint64_t left = count;
+  for (std::size_t at = 0; left > 0; at = nextOf(*scans, at, comesAgain)) {
+    ReplayScan& scan = witness.scans.emplace_back((*scans)[at]);
+    scan.repeats = static_cast<std::uint32_t>(isOneScan ? left : std::min<std::uint64_t>(scan.repeats, left));
+    left -= scan.repeats;
+    witness.milliseconds += static_cast<std::uint64_t>(scan.repeats) * scan.lengthMs;
+  }
+  return witness;
+}
+
+std::vector<std::optional<GuidedRun>> guidedRuns(const Program& program, const EncodedScan& encoding,
+                                                 const std::vector<Property>& assumptions,
+                                                 const std::vector<const Property*>& goals, std::uint64_t seed,
+                                                 const GuidedLimits& limits) {
   return GuidedSearch(program, encoding, assumptions, goals, seed, limits).run();
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -22,10 +23,20 @@ struct GuidedLimits {
   std::size_t alsoWatched = 0;
 };
 
+/// A run that the reference engine has repeated. Its scans, of which there may be a hundred thousand, are written down
+/// for those who ask for them.
+struct GuidedRun {
+  std::shared_ptr<const std::vector<ReplayScan>> scans;
+  bool comesAgain;      ///< the scans are made over and over
+  std::uint64_t count;  ///< of the engine's scans, up to the one that shows the goal
+
+  Witness witness() const;
+};
+
 /// By goal: a run that shows it, if one was found within the limits. `encoding` tells the program's inputs.
-std::vector<std::optional<Witness>> guidedRuns(const Program& program, const EncodedScan& encoding,
-                                               const std::vector<Property>& assumptions,
-                                               const std::vector<const Property*>& goals, std::uint64_t seed,
-                                               const GuidedLimits& limits);
+std::vector<std::optional<GuidedRun>> guidedRuns(const Program& program, const EncodedScan& encoding,
+                                                 const std::vector<Property>& assumptions,
+                                                 const std::vector<const Property*>& goals, std::uint64_t seed,
+                                                 const GuidedLimits& limits);
 
 }  // namespace rungproof

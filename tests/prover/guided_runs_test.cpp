@@ -21,7 +21,11 @@ struct Setting {
     for (const Property& goal : goals) wanted.push_back(&goal);
     GuidedLimits limits{20};
     limits.alsoWatched = alsoWatched;
-    return guidedRuns(input.program, askedProperties->encoding(), assumptions, wanted, 1, limits);
+    std::vector<std::optional<Witness>> found;
+    for (const std::optional<GuidedRun>& run :
+         guidedRuns(input.program, askedProperties->encoding(), assumptions, wanted, 1, limits))
+      found.push_back(run ? std::optional(run->witness()) : std::nullopt);
+    return found;
   }
   bool isRepeated(std::size_t goal, const Witness& witness) const {
     return Judge(input.program, options.choices, assumptions, goals[goal])
