@@ -380,8 +380,14 @@ namespace {
 /// retentive memory holds. False if they become too many.
 class PointerCells {
  public:
-  PointerCells(const TransitionSystem& system, ValueEvaluator& evaluator, VariableValues& known, VariableValues& later)
-      : graph_(*system.graph), firstScans_(firstScansOf(system)), evaluator_(evaluator), known_(known), later_(later) {}
+  PointerCells(const TransitionSystem& system, ValueEvaluator& evaluator, VariableValues& known, VariableValues& later,
+               const std::function<void()>& interruption)
+      : graph_(*system.graph),
+        firstScans_(firstScansOf(system)),
+        evaluator_(evaluator),
+        known_(known),
+        later_(later),
+        interruption_(interruption) {}
 
   bool follow(const StateVariable& cell, bool& isChanged) {
     const Node next[] = {cell.next};
@@ -430,6 +436,7 @@ class PointerCells {
     while (!open.empty()) {
       const std::uint64_t from = open.back();
       open.pop_back();
+      if (interruption_) interruption_();
       const ValueSet to = evaluator_.valuesWith(cone_, cell, ValueSet::of(from), pointerValueLimit);
       if (!to.isListed()) return false;
       for (const std::uint64_t v : to.values()) {
@@ -445,6 +452,7 @@ class PointerCells {
   ValueEvaluator& evaluator_;
   VariableValues& known_;
   VariableValues& later_;
+  const std::function<void()>& interruption_;
   std::vector<Node> cone_;  ///< of the next function at hand
 };
 
@@ -462,7 +470,7 @@ void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCe
   }
   const std::vector<Node> cone = coneOf(graph, roots);
   ValueEvaluator evaluator(graph, values);
-  PointerCells pointers(system, evaluator, values, later);
+  PointerCells pointers(system, evaluator, values, later, interruption);
   std::set<Node> walked;
   for (int round = 0;; ++round) {
     bool isChanged = false;
