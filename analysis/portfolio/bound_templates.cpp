@@ -10,6 +10,7 @@
 
 #include "analysis/bits/simulation_runs.hpp"
 #include "analysis/graph/evaluate.hpp"
+#include "analysis/portfolio/bound_rates.hpp"
 #include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
@@ -43,6 +44,7 @@ class TemplateSearch {
       if (widthOf(n) > 1 && widthOf(n) <= schedule::smallWidth)
         templates_.push_back({noNode, noNode, graph_.make(Op::Zext, widthOf(n) + 1, n)});
     }
+    if (scope_ == BoundScope::Few) rates();
     const std::vector<std::vector<std::size_t>> all = groups();
     for (const std::vector<std::size_t>& group : all) toOneWidth(group);
     // A clock against a timer tells most, two timers least.
@@ -63,7 +65,7 @@ class TemplateSearch {
       }
     }
     if (templates_.size() > schedule::templateLimit) templates_.resize(schedule::templateLimit);
-    return {std::move(words_), std::move(templates_)};
+    return {std::move(words_), std::move(templates_), std::move(rates_)};
   }
 
  private:
@@ -350,6 +352,21 @@ class TemplateSearch {
     return graph_.highest(node.child[0]) + graph_.highest(node.child[1]) > Graph::maskOf(node.width);
   }
 
+  /// Clocks against words that count scans.
+  void rates() {
+    std::vector<RateClock> clocks;
+    for (const CountingWord& x : words_) {
+      if (!x.isTimer() && !x.isChained) clocks.push_back({x.state, x.sum.increment, x.stops});
+    }
+    const auto guards = [&](std::size_t clock, std::size_t word) {
+      return guardsFor({clock, word}, schedule::fewGuards);
+    };
+    BoundTemplates found;
+    addRates(found, system_, blast_, clocks, order_, guards, budget_);
+    templates_.insert(templates_.end(), found.templates.begin(), found.templates.end());
+    rates_ = std::move(found.rates);
+  }
+
   void single(const CountingWord& x) {
     const Node value = x.sum.progress();
     const int width = widthOf(value);
@@ -440,6 +457,7 @@ class TemplateSearch {
   std::map<std::size_t, std::vector<std::uint64_t>> ends_;                        ///< by state
   std::map<std::size_t, std::unordered_map<std::uint32_t, std::size_t>> depths_;  ///< by state, then node
   std::vector<BoundTemplate> templates_;
+  std::vector<Rate> rates_;
 };
 
 }  // namespace

@@ -27,6 +27,17 @@ struct CountingWord {
   bool isTimer() const { return sum.isPending || countsDown; }
 };
 
+/// A clock against a word that counts by `amount` in a scan: what their difference is made of.
+struct Rate {
+  Node difference = noNode;
+  Node clock = noNode, increment = noNode, word = noNode;
+  std::uint64_t amount = 0;
+  bool isDown = false;  ///< the word counts down
+  bool isBehind =
+      false;  ///< the difference is how far the word is ahead of the clock, instead of the clock of the word
+  bool isSigned = false;  ///< the word
+};
+
 /// "guard implies difference <= bound, unless stopped": what is sought is the bound.
 struct BoundTemplate {
   Node guard = noNode;        ///< width 1 over states; noNode: always
@@ -40,6 +51,7 @@ struct BoundTemplate {
 struct BoundTemplates {
   std::vector<CountingWord> words;
   std::vector<BoundTemplate> templates;
+  std::vector<Rate> rates;  ///< of templates
 };
 
 /// Adds the nodes to the graph of the system. `known`: of blast's bits; equal latches give one guard.

@@ -71,6 +71,7 @@ class BoundSearch {
       if (word.sum.next == noNode) continue;  // of no group
       for (const Node n : {word.sum.word, word.sum.increment, word.sum.next}) nodes.push_back(n);
     }
+    for (const Rate& rate : found_.rates) nodes.insert(nodes.end(), {rate.clock, rate.increment, rate.word});
     blast_.add(nodes);
     std::unordered_map<std::uint32_t, std::size_t> index;
     for (const BoundTemplate& t : templates_) {
@@ -193,6 +194,7 @@ class BoundSearch {
       sat.add(literals);
     }
     tellArithmetic(steps, sat, cnf);
+    for (const Rate& rate : found_.rates) tellRate(rate, steps, sat, cnf);
     for (const Bound& bound : bounds_) {
       for (const Lit l : differences_[bound.difference]) cnf.literal(steps.at(1, l));
     }
@@ -305,6 +307,34 @@ class BoundSearch {
         sat.add({-condition, before, -after});
       }
     }
+  }
+
+  /// Where the clock grows by no more than its increment and the word goes on by no less than its amount, the clock is
+  /// no further ahead of the word than before; and the reverse. Multiples show that only bit by bit.
+  void tellRate(const Rate& rate, Unrolling& steps, Sat& sat, BitCnf& cnf) {
+    BitArithmetic arithmetic(steps.graph());
+    const auto at = [&](int frame, Node n, std::size_t width, bool isSigned) {
+      LitVector bits;
+      for (const Lit l : blast_.of(n)) bits.push_back(steps.at(frame, l));
+      const Lit sign = isSigned ? bits.back() : falseLit;
+      bits.resize(width, sign);
+      return bits;
+    };
+    const auto atMost = [&](const LitVector& a, const LitVector& b) { return negate(arithmetic.lessSigned(b, a)); };
+    const std::size_t timeWidth = std::max(blast_.of(rate.clock).size(), blast_.of(rate.increment).size()) + 2;
+    const LitVector timeAfter = at(1, rate.clock, timeWidth, false);
+    const LitVector timeNext =
+        arithmetic.add(at(0, rate.clock, timeWidth, false), at(0, rate.increment, timeWidth, false));
+    const std::size_t wordWidth = blast_.of(rate.word).size() + 2;
+    const auto amount = BitArithmetic::constant(rate.amount, static_cast<int>(wordWidth));
+    const LitVector before = at(0, rate.word, wordWidth, rate.isSigned);
+    const LitVector after = at(1, rate.word, wordWidth, rate.isSigned);
+    const LitVector next = rate.isDown ? arithmetic.subtract(before, amount) : arithmetic.add(before, amount);
+    const Lit isTimeSo = rate.isBehind ? atMost(timeNext, timeAfter) : atMost(timeAfter, timeNext);
+    const Lit isWaySo = rate.isBehind == rate.isDown ? atMost(next, after) : atMost(after, next);
+    const std::size_t width = blast_.of(rate.difference).size();
+    const Lit grows = arithmetic.lessSigned(at(0, rate.difference, width, true), at(1, rate.difference, width, true));
+    sat.add({-cnf.literal(isTimeSo), -cnf.literal(isWaySo), -cnf.literal(grows)});
   }
 
   /// Can a scan increase the difference while the condition stays? Then a counterexample raises it again and again.

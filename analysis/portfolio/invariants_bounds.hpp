@@ -2,7 +2,8 @@
 // of the property's clock". Two words belong together if their increments are the same, whether they are added at once
 // or, as the ticks of a timer, one scan later. For such words, and conditions of the program, the smallest bounds that
 // induction confirms are computed: they start from what random runs show and grow with counterexamples, each to its
-// largest value. The cost does not depend on how far the words count.
+// largest value. The cost does not depend on how far the words count. A word that counts scans is compared with a
+// clock likewise (bound_rates.hpp).
 // Tested by tests/solver/invariants_test.cpp.
 #pragma once
 

@@ -157,6 +157,7 @@
   ROW(std::size_t, nearGuards, 6, "conditions", "the same while few bounds are looked for") \
   ROW(std::size_t, fewGuards, 4, "conditions", "the same for words that tell less about each other") \
   ROW(int, smallWidth, 10, "bits", "of words whose range is looked for without condition") \
+  ROW(std::size_t, stepsOfWord, 4, "constants", "that scans add to a word; more are no steady pace") \
   ROW(std::size_t, stopLimit, 3, "constants", "at which a word stops counting") \
   ROW(std::size_t, followedChoices, 64, "choices", "between a word and the sum that counts it on") \
   ROW(std::size_t, templateLimit, 1600, "bounds", "that are looked for") \

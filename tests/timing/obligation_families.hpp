@@ -105,6 +105,25 @@ inline std::string counterReached(int preset) {
                    network(1, "LD I0.0\nLD I0.1\nCTU C5, " + std::to_string(preset) + "\nLD C5\n= Q0.0\n"));
 }
 
+/// A debouncing counter: full after n scans with the input on. A scan lasts 1 to 500 ms, and from the end of the first
+/// of n scans to that of the last one n - 1 of them pass.
+inline std::string scanCount(int n) {
+  const std::string end = std::to_string(n);
+  return programOf(property("prove sees: I0.0 held " + std::to_string(n / 2 + 1) + "s implies Q0.0") +
+                       property("prove not early: rises(Q0.0) implies held(I0.0, " + std::to_string(n - 1) + "ms)"),
+                   network(1, "LD I0.0\nAW< VW0, " + end + "\nINCW VW0\n") + network(2, "LDN I0.0\nMOVW 0, VW0\n") +
+                       network(3, "LDW>= VW0, " + end + "\n= Q0.0\n"));
+}
+
+/// A set value that rises by 10 a scan up to n and falls by 20: n / 20 scans of 500 ms, and one more that is not whole.
+inline std::string ramp(int n) {
+  const std::string top = std::to_string(n);
+  return programOf(property("prove stops: not I0.0 held " + std::to_string(n / 40 + 1) + "s implies VW0 = 0"),
+                   network(1, "LD I0.0\nAW< VW0, " + top + "\n+I 10, VW0\n") +
+                       network(2, "LDN I0.0\nAW> VW0, 0\n-I 20, VW0\n") +
+                       network(3, "LDW> VW0, " + top + "\nMOVW " + top + ", VW0\nLDW< VW0, 0\nMOVW 0, VW0\n"));
+}
+
 /// n steps in a row, each of a minute: started by an edge, each left when its timer has run out.
 inline std::string timedRow(int n, const std::string& properties) {
   std::string networks = network(1, "LD I0.0\nEU\nLD M0.0\n");
@@ -271,6 +290,8 @@ inline std::vector<ObligationFamily> obligationFamilies() {
           {"series only after", "PROVED", {1, 2, 3}, 3, seriesOnlyAfter},
           {"counter lamp", "PROVED", {10, 1000, 32767}, 3, counterLamp},
           {"counter reached", "PROVED", {10, 1000, 32767}, 3, counterReached},
+          {"scan count", "PROVED", {10, 50, 200}, 3, scanCount},
+          {"ramp", "PROVED", {100, 400, 1000}, 3, ramp},
           {"queue", "PROVED", {6, 100, 1000}, 3, queue},
           {"table", "PROVED", {10, 50, 100}, 3, table},
           {"pointer ring", "PROVED", {10, 50, 100}, 3, pointerRing},
