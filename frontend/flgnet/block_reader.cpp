@@ -160,6 +160,10 @@ class BlockReader {
     for (const pugi::xml_node& node : sections.children()) {
       if (localName(node) != "Section") continue;
       const std::string_view name = node.attribute("Name").value();
+      if (name == "Constant") {
+        fields(node, Section::Static, block, block.constants);
+        continue;
+      }
       const auto row = std::ranges::find(sectionRows, name, &SectionRow::name);
       if (row == std::end(sectionRows)) {
         if (node.first_child()) notRead(node, fmt::format("section {} is not covered", excerpt(name)), block);

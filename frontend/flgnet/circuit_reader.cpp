@@ -22,11 +22,11 @@ constexpr XmlShape circuitShapes[] = {
     {"LabelDeclaration", "UId", "Label Comment"},
     {"Label", "Name UId", ""},
     {"Parts", "", "Access Part Call"},
-    {"Access", "UId Type Scope:LocalVariable|GlobalVariable|LiteralConstant|TypedConstant|Address|Label",
+    {"Access", "UId Type Scope:LocalVariable|GlobalVariable|LiteralConstant|TypedConstant|LocalConstant|Address|Label",
      "Symbol Constant Address Label Comment"},
     {"Symbol", "UId", "Component Address"},
     {"Component", "Name UId AccessModifier:None|Array SimpleAccessModifier:None SliceAccessModifier:undef", "Access"},
-    {"Constant", "UId", "ConstantType ConstantValue StringAttribute"},
+    {"Constant", "Name UId", "ConstantType ConstantValue StringAttribute"},
     {"Part", "Name UId Version DisabledENO:b", "TemplateValue Negated Instance AutomaticTyped Invisible Comment"},
     {"Negated", "Name", ""},
     {"TemplateValue", "Name Type:Cardinality|Type|Operation|Function|String", ""},
@@ -131,7 +131,12 @@ class CircuitReader {
       operand->span = span;
     } else if (scope == "Address") {
       operand = operandFrom(textOfAddress(childNamed(node, "Address")), span);
-    } else if (const pugi::xml_node constant = childNamed(node, "Constant")) {
+    } else if (const pugi::xml_node constant = childNamed(node, "Constant"); scope == "LocalConstant") {
+      operand.emplace();
+      operand->form = step7::OperandForm::Local;
+      operand->path.push_back({constant.attribute("Name").value(), {}, span});
+      operand->span = span;
+    } else if (constant) {
       operand = constantFrom(trimmed(childNamed(constant, "ConstantType").child_value()),
                              trimmed(childNamed(constant, "ConstantValue").child_value()), span);
     } else if (const pugi::xml_node symbol = childNamed(node, "Symbol")) {

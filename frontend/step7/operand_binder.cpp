@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "frontend/step7/constant_spelling.hpp"
+#include "frontend/step7/operand_parser.hpp"
 #include "ir/block_map.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/coverage.hpp"
@@ -13,6 +15,7 @@
 
 namespace rungproof::step7 {
 
+using s7300::ConstantKind;
 using s7300::Field;
 using s7300::PathFault;
 using s7300::PathResult;
@@ -75,6 +78,17 @@ BoundOperand refused(Syntax code, Span span, std::string fault, std::string_view
   return result;
 }
 
+/// A value as a name of that type means it: -5 of a DINT is L#-5, 2 of a REAL 2.0.
+Constant constantOfType(TypeKind kind, Constant value) {
+  if (value.kind != ConstantKind::Integer) return value;
+  if (kind == TypeKind::DInt) value.kind = ConstantKind::Long;
+  if (kind == TypeKind::Real) {
+    value.value = std::bit_cast<std::uint32_t>(static_cast<float>(value.value));
+    value.kind = ConstantKind::Real;
+  }
+  return value;
+}
+
 BoundOperand badPath(const PathResult& found, const std::vector<PathStep>& path) {
   const PathStep& step = path[std::min(found.step, path.size() - 1)];
   const auto reason = [&]() -> std::string {
@@ -87,6 +101,15 @@ BoundOperand badPath(const PathResult& found, const std::vector<PathStep>& path)
     }
   };
   return refused(Syntax::NameUndefined, step.span, reason(), partHelp);
+}
+
+BoundOperand constantBound(const Constant& value) {
+  BoundOperand bound;
+  bound.constant = value;
+  bound.operand = constant(s7300::accumulatorBits(value), ConstantForm::Typed);
+  bound.operand.text = spellingOf(value);
+  bound.operand.width = widthOfConstant(value);
+  return bound;
 }
 
 }  // namespace
@@ -123,14 +146,7 @@ BoundOperand OperandBinder::bind(const Operand& operand, BlockScope& scope) {
         const std::optional<BlockKey> key = catalogue_.keyOf(*operand.block);
         return blockNamed(*key, operand);
       }
-      case OperandForm::Constant: {
-        BoundOperand bound;
-        bound.constant = operand.constant;
-        bound.operand = constant(s7300::accumulatorBits(operand.constant), ConstantForm::Typed);
-        bound.operand.text = spellingOf(operand.constant);
-        bound.operand.width = widthOfConstant(operand.constant);
-        return bound;
-      }
+      case OperandForm::Constant: return constantBound(operand.constant);
       case OperandForm::Word: {  // a local name without its sign
         const std::vector<PathStep> path = {{operand.name, {}, operand.span}};
         return local(operand, scope, path);
@@ -215,6 +231,13 @@ BoundOperand OperandBinder::local(const Operand& operand, BlockScope& scope, con
   const bool isTemporary = temporary.field != nullptr;
   const PathResult found = isTemporary ? temporary : lookUp(*scope.parameters, path);
   if (found.field == nullptr) {
+    if (const Field* named = path.size() == 1 ? scope.constants->field(path[0].name) : nullptr)
+      return constantField(operand, *named);
+    // TIA names the value of a function after the function.
+    const bool isValue = scope.key.kind == BlockKind::Fc && path.size() == 1 && path[0].indices.empty() &&
+                         s7300::isSameName(path[0].name, scope.name);
+    if (isValue && scope.parameters->field("RET_VAL") != nullptr)
+      return local(operand, scope, {{"RET_VAL", {}, path[0].span}});
     // Word without a sign that no declaration knows.
     return refused(Syntax::NameUndefined, path[0].span, fmt::format("nothing declares {}", path[0].name), localHelp);
   }
@@ -248,6 +271,14 @@ BoundOperand OperandBinder::local(const Operand& operand, BlockScope& scope, con
   }
   result.operand.reach = reachOf(std::move(reach));
   return result;
+}
+
+BoundOperand OperandBinder::constantField(const Operand& operand, const Field& field) {
+  std::vector<std::uint8_t> bytes(s7300::sizeOf(field.type));
+  if (field.initial.size() != 1 || s7300::isComplex(field.type) ||
+      s7300::writeValues(field.type, field.initial, 0, 0, bytes))
+    return refused(Syntax::Operand7, operand.span, fmt::format("the constant {} has no value of its type", field.name));
+  return constantBound(constantOfType(field.type.kind, field.initial[0]));
 }
 
 BoundOperand OperandBinder::dataField(const Operand& operand, BlockKey block) {
@@ -285,6 +316,13 @@ BoundOperand OperandBinder::symbol(const Operand& operand, BlockScope& scope) {
   if (const SymbolRow* row = catalogue_.symbol(operand.name);
       row != nullptr && row->address.form == OperandForm::Address) {
     BoundOperand result = address(row->address, scope);
+    if (operand.isPeripheral) {
+      const Area area = result.operand.area;
+      if ((area != Area::I && area != Area::Q) || result.operand.width == Width::Bit)
+        return refused(Syntax::Operand7, operand.span, std::string(peripheralRule));
+      result.operand.area = area == Area::I ? Area::PI : Area::PQ;
+      return result;
+    }
     result.operand.text = row->name.text;
     result.type = s7300::typeNamed(row->type);
     return result;

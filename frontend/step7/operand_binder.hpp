@@ -18,6 +18,7 @@ struct BlockScope {
   std::string name;
   std::shared_ptr<const s7300::Structure> parameters;  ///< of an FB its instance
   std::shared_ptr<const s7300::Structure> temporary;
+  std::shared_ptr<const s7300::Structure> constants = std::make_shared<s7300::Structure>();
   std::map<std::string, std::int64_t> labels{};  ///< with their ordinals
   std::uint32_t localBytes = 0;                  ///< highest byte of L that was named, and one
 };
@@ -47,6 +48,7 @@ class OperandBinder {
  private:
   BoundOperand address(const Operand& operand, BlockScope& scope);
   BoundOperand local(const Operand& operand, BlockScope& scope, const std::vector<PathStep>& path);
+  BoundOperand constantField(const Operand& operand, const s7300::Field& field);
   BoundOperand symbol(const Operand& operand, BlockScope& scope);
   BoundOperand dataField(const Operand& operand, BlockKey block);
   BoundOperand indirect(const Operand& operand, BlockScope& scope);

@@ -105,7 +105,10 @@ class OperandParser {
   std::string operand(bool isDone) {
     if (isDone) return {};
     const char c = cursor_.peek();
-    if (c == '"') return symbol();
+    if (c == '"') {
+      std::string fault = symbol();
+      return fault.empty() ? peripheral() : fault;
+    }
     if (c == '#') return local();
     if (c == '[') {
       operand_.form = OperandForm::Indirect;
@@ -114,7 +117,8 @@ class OperandParser {
     if (c == '%') {
       cursor_.skip(1);
       std::string fault = wordOrAddress();
-      if (!fault.empty() || operand_.form == OperandForm::Address || operand_.form == OperandForm::Block) return fault;
+      if (fault.empty() && operand_.form == OperandForm::Address) return peripheral();
+      if (!fault.empty() || operand_.form == OperandForm::Block) return fault;
       return "% stands before addresses only";
     }
     if (c == '=' || c == '<' || c == '>') return relation();
@@ -132,6 +136,21 @@ class OperandParser {
       return {};
     }
     return wordOrAddress();
+  }
+
+  /// %IW64:P, "Level":P of TIA: the module and not its image.
+  std::string peripheral() {
+    if (cursor_.peek() != ':' || upper(cursor_.peek(1)) != 'P' || isWordByte(cursor_.peek(2))) return {};
+    cursor_.skip(2);
+    if (operand_.form == OperandForm::Symbol && operand_.path.empty()) {
+      operand_.isPeripheral = true;
+      return {};
+    }
+    const bool isImage = operand_.place == Place::I || operand_.place == Place::Q;
+    if (operand_.form != OperandForm::Address || operand_.block || !isImage || operand_.size == Size::Bit)
+      return std::string(peripheralRule);
+    operand_.place = operand_.place == Place::I ? Place::PI : Place::PQ;
+    return {};
   }
 
   /// ==0, <>0, ...: what the condition code bits say.

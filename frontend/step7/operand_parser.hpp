@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "frontend/step7/constant_parser.hpp"
 #include "frontend/step7/syntax.hpp"
@@ -16,6 +17,10 @@ struct Spelling7 {
   MnemonicSet set = MnemonicSet::International;
   TextEncoding encoding = TextEncoding::Utf8;
 };
+
+/// What :P behind an address can mean.
+inline constexpr std::string_view peripheralRule =
+    ":P stands behind bytes, words and double words of inputs and outputs";
 
 struct OperandOutcome {
   Operand operand;    ///< None: nothing stands there

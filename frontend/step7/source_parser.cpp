@@ -197,13 +197,14 @@ class SourceParser {
   void section(BlockSyntax& block, SourceKeyword keyword) {
     cursor_.word();
     cursor_.skipBlanks();
-    for (const std::string_view qualifier : {"RETAIN", "NON_RETAIN", "CONSTANT"}) cursor_.takeWord(qualifier);
+    for (const std::string_view qualifier : {"RETAIN", "NON_RETAIN"}) cursor_.takeWord(qualifier);
+    const bool isConstant = cursor_.takeWord("CONSTANT");
     Section section = Section::Static;
     if (keyword == SourceKeyword::VarInput) section = Section::Input;
     if (keyword == SourceKeyword::VarOutput) section = Section::Output;
     if (keyword == SourceKeyword::VarInOut) section = Section::InOut;
     if (keyword == SourceKeyword::VarTemp) section = Section::Temp;
-    declarations_.readFields(section, "END_VAR", block.declarations);
+    declarations_.readFields(section, "END_VAR", isConstant ? block.constants : block.declarations);
   }
 
   bool attribute(BlockSyntax& block) {

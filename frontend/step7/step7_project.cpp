@@ -248,6 +248,7 @@ class ProjectBuilder {
     scope.name = entry.name;
     scope.parameters = isInstance ? types_->structure(entry.key) : types_->parameters(syntax);
     scope.temporary = types_->temporary(syntax);
+    scope.constants = types_->constants(syntax);
     Pou pou;
     pou.type = blockTypeOf(irNumber(entry.key));
     pou.kind = entry.key.kind != BlockKind::Ob ? PouKind::Subroutine

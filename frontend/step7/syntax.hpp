@@ -62,6 +62,7 @@ struct Operand {
   std::uint32_t number = 0;          ///< Address: byte, or number of the timer or counter
   std::uint8_t bit = 0;              ///< Address: 0 to 7, larger ones are kept
   bool isBehindDeclared = false;     ///< Address of L: counted from behind the declared data
+  bool isPeripheral = false;         ///< Symbol with :P: the module itself, not its image
   std::optional<BlockName> block;    ///< Address, Symbol: DB10. before it; Block: itself; Indirect: the kind of block
   std::string name;                  ///< Symbol: what stands in the quotation marks; Word: itself
   std::vector<PathStep> path;        ///< Local, Parameter: all; Symbol: what follows the name
@@ -148,6 +149,7 @@ struct BlockSyntax {
   bool knowHowProtected = false, readOnly = false, unlinked = false, nonRetain = false;
   std::shared_ptr<const TypeSyntax> type;  ///< FUNCTION: of its value; DATA_BLOCK, TYPE: of the whole
   std::vector<DeclarationSyntax> declarations;
+  std::vector<DeclarationSyntax> constants;  ///< VAR CONSTANT: names of values, which take no place
   std::vector<NetworkSyntax> networks;
   std::vector<Assignment> assignments;
   std::vector<Remark> remarks;

@@ -192,6 +192,12 @@ std::shared_ptr<const Structure> TypeTable::parameters(const BlockSyntax& block)
   return structure;
 }
 
+std::shared_ptr<const Structure> TypeTable::constants(const BlockSyntax& block) {
+  auto structure = std::make_shared<Structure>();
+  append(block.constants, {Section::Static}, *structure);
+  return structure;
+}
+
 std::shared_ptr<const Structure> TypeTable::temporary(const BlockSyntax& block) {
   auto structure = std::make_shared<Structure>();
   append(block.declarations, {Section::Temp}, *structure);

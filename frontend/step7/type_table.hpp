@@ -20,6 +20,8 @@ class TypeTable {
   std::shared_ptr<const s7300::Structure> structure(BlockKey key);
   /// Parameters of an FC in the order IN, OUT, IN_OUT, RET_VAL as the first output; without places.
   std::shared_ptr<const s7300::Structure> parameters(const BlockSyntax& block);
+  /// Names of values, without places.
+  std::shared_ptr<const s7300::Structure> constants(const BlockSyntax& block);
   /// Temporary data, laid out in L memory.
   std::shared_ptr<const s7300::Structure> temporary(const BlockSyntax& block);
   /// The FB or SFB of an instance data block.
