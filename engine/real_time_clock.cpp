@@ -49,13 +49,21 @@ std::uint8_t RealTimeClock::byteAt(std::uint32_t index, std::uint64_t nowMs) con
   return index < fields.size() ? bcd(fields[index]) : 0;
 }
 
+std::uint64_t RealTimeClock::dayAt(std::uint64_t nowMs) const {
+  const std::int64_t seconds = secondsAtZero_ + (restMs_ + static_cast<std::int64_t>(nowMs)) / 1000;
+  return static_cast<std::uint64_t>(floorDivide(seconds, secondsPerDay));
+}
+
+std::uint64_t RealTimeClock::timeOfDayAt(std::uint64_t nowMs) const {
+  const std::int64_t ms = secondsAtZero_ * 1000 + restMs_ + static_cast<std::int64_t>(nowMs);
+  return static_cast<std::uint64_t>(ms - floorDivide(ms, secondsPerDay * 1000) * secondsPerDay * 1000);
+}
+
 std::array<std::uint8_t, 8> RealTimeClock::dateAndTime(std::uint64_t nowMs) const {
   std::array<std::uint8_t, 8> result{};
   for (std::uint32_t i = 0; i < 6; ++i) result[i] = byteAt(i, nowMs);
   const auto ms = static_cast<int>((restMs_ + static_cast<std::int64_t>(nowMs)) % 1000);
-  const std::int64_t days =
-      floorDivide(secondsAtZero_ + (restMs_ + static_cast<std::int64_t>(nowMs)) / 1000, secondsPerDay);
-  const std::chrono::weekday weekday{epoch + std::chrono::days{days}};
+  const std::chrono::weekday weekday{epoch + std::chrono::days{static_cast<std::int64_t>(dayAt(nowMs))}};
   result[6] = bcd(ms / 10);
   result[7] = static_cast<std::uint8_t>(ms % 10 << 4 | (weekday.c_encoding() + 1));
   return result;

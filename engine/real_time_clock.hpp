@@ -27,6 +27,9 @@ class RealTimeClock {
   ClockTime at(std::uint64_t nowMs) const;
   /// Byte 0..7 of the TODR buffer at that time: year, month, day, hour, minute, second, 0, weekday. Bytes beyond are 0.
   std::uint8_t byteAt(std::uint32_t index, std::uint64_t nowMs) const;
+  /// Days since 1 January 1990, and ms since midnight.
+  std::uint64_t dayAt(std::uint64_t nowMs) const;
+  std::uint64_t timeOfDayAt(std::uint64_t nowMs) const;
   /// A DATE_AND_TIME of an S7-300/400 (002:1980-1996), its weekday by the calendar.
   std::array<std::uint8_t, 8> dateAndTime(std::uint64_t nowMs) const;
 

@@ -232,6 +232,12 @@ std::uint64_t Simulator::externalValue(const ExternalSite& site, int width) {
     case External::IntervalClock:
       if (outside_ == nullptr) return clockMs_;
       break;
+    case External::CalendarDay:
+      if (outside_ == nullptr) return devices_.clock.dayAt(clockMs_);
+      break;
+    case External::TimeOfDay:
+      if (outside_ == nullptr) return devices_.clock.timeOfDayAt(clockMs_);
+      break;
     case External::StationAddress:
       if (outside_ == nullptr) return defaultStation;
       break;

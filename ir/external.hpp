@@ -14,7 +14,7 @@ enum class External : std::uint8_t {
   StackBottom,     ///< level shifted in by a pop (001:2868)
   LocalMemory,     ///< L on entry to a block (001:1373); index = byte
   ClockByte,       ///< byte of the real-time clock; index = offset in the TODR buffer
-  IntervalClock,   ///< free-running ms counter of BITIM
+  IntervalClock,   ///< free-running ms counter of BITIM and of SFC 64
   NetworkStatus,   ///< NETR/NETW completion; index = table byte
   ReceivedByte,
   StationAddress,
@@ -25,6 +25,8 @@ enum class External : std::uint8_t {
   UnknownResult,    ///< result that the manual leaves open after an error
   RegisterAtStart,  ///< S7-300/400: what a register holds when an organization block begins; index = which
   AccessError,      ///< S7-300/400: whether a module does not answer a direct access; index = byte
+  CalendarDay,      ///< S7-300/400: days from 1990-01-01 to the date of the clock
+  TimeOfDay,        ///< S7-300/400: ms since midnight by the clock
   TimerPhase        ///< S7-300/400: by how much the first unit of an S5 timer is short; index = timer
 };
 
@@ -35,7 +37,7 @@ enum class Signal : std::uint8_t {
   EventsCleared,      ///< CEVNT; index = event: its queued entries are dropped (001:5357)
   WatchdogRestarted,  ///< WDR
   Stopped,            ///< STOP
-  ClockSet,           ///< TODW, TODWX; index = bytes that Reg::ClockSetting holds, 8 or 19
+  ClockSet,           ///< TODW, TODWX, SFC 0; index = bytes that Reg::ClockSetting holds, 8 or 19
   HscLoaded,          ///< HSC; index = counter
   PulseCommand,       ///< PLS started, changed or stopped output `index`
   TransmitStarted,    ///< XMT; index = port

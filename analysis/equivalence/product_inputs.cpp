@@ -16,6 +16,8 @@ bool isOfTheWorld(External kind) {
     case External::AnalogInput:
     case External::ClockByte:
     case External::IntervalClock:
+    case External::CalendarDay:
+    case External::TimeOfDay:
     case External::TimerPhase:
     case External::ReceivedByte:
     case External::StationAddress: return true;

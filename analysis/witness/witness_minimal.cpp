@@ -24,6 +24,8 @@ bool isChance(const ExternalValue& value) {
     case External::UnknownStatus:
     case External::UnknownResult:
     case External::RegisterAtStart:
+    case External::CalendarDay:
+    case External::TimeOfDay:
     case External::TimerPhase: return true;
     default: return false;
   }

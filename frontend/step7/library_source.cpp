@@ -124,16 +124,6 @@ over: L 0; T #STATE; L #PT; T #ET;
 idle: CLR; = #Q;
 end:  SET; SAVE; BEU;)";
 
-// The ms since some moment, which come round to 0 (002:2494): any number of them.
-constexpr std::string_view systemTime = R"(
-VAR_TEMP
-  any : DWORD;
-END_VAR
-BEGIN
-NETWORK
-      L #any; L DW#16#7FFFFFFF; AD; T #RET_VAL;
-      SET; SAVE; BEU;)";
-
 // ((IN - k1) / (27648 - k1)) * (HI_LIM - LO_LIM) + LO_LIM, each step a REAL, with k1 = -27648 or 0 (002:2625-2647).
 // General knowledge: beyond the range OUT is the limit, RET_VAL W#16#8 and ENO 0.
 constexpr std::string_view scale = R"(
@@ -194,7 +184,6 @@ constexpr auto sourceRows = std::to_array<SourceRow>({
     {Sfb, 5, offDelay, iecHead},
     {Sfc, 43, nothing},
     {Sfc, 47, nothing},
-    {Sfc, 64, systemTime},
     {Fc, 105, scale},
 });
 

@@ -111,18 +111,31 @@ class DateFunctions {
     give(isStated, result, 16);
   }
 
+  /// What a valid date and time asks of the clock. RET_VAL and BR as of a call that succeeds, or any.
   void setClock() {
+    a_.m.when(read(0).isValid, [&] {
+      constexpr std::uint32_t clockBytes = 8, weekday = 7, zero = 6;
+      for (std::uint32_t i = 0; i < zero; ++i) a_.m.set(Reg::ClockSetting, i, a_.byteOf(0, i));
+      a_.m.set(Reg::ClockSetting, zero, a_.number(0, 8));
+      a_.m.set(Reg::ClockSetting, weekday, d_.band(a_.byteOf(0, weekday), a_.number(0x0F, 8), 8));
+      a_.m.signal(Signal::ClockSet, clockBytes);
+    });
     a_.set(1, a_.any(16));
-    a_.finish(a_.anyBit());
+    a_.finish(d_.lnot(a_.anyBit()));
   }
-  /// Any moment: the clock is set from outside, and may be set while the program runs.
+  /// The clock is set from outside, and may be set while the program runs: to proofs any moment.
   void readClock() {
-    const Bits days = a_.any(16), ms = a_.any(32);
+    const Bits days = a_.m.external(External::CalendarDay, 0, 16), ms = a_.m.external(External::TimeOfDay, 0, 32);
     const Bits day = d_.zext(days, 16, 32);
     write(1, d_.select(d_.ult(day, n(allDays), 32), day, n(0), 32), d_.select(d_.ult(ms, n(msOfDay), 32), ms, n(0), 32),
           a_.yes());
     a_.set(0, a_.any(16));
-    a_.finish(a_.anyBit());
+    a_.finish(d_.lnot(a_.anyBit()));
+  }
+  /// ms since some moment, which come round to 0 (002:2494): to proofs any number of them.
+  void systemTime() {
+    a_.set(0, d_.band(a_.m.external(External::IntervalClock, 0, 32), n(0x7FFFFFFF), 32));
+    a_.finish(a_.yes());
   }
 
  private:

@@ -119,7 +119,7 @@ std::span<const std::uint16_t> blocksBeyondParameters() {
 
 bool isBuiltIn(const LibraryBlock& block) {
   constexpr int lastOfIec = 40;
-  constexpr std::array<int, 4> functions = {0, 1, 20, 21};  // SET_CLK, READ_CLK, BLKMOV, FILL
+  constexpr std::array<int, 5> functions = {0, 1, 20, 21, 64};  // SET_CLK, READ_CLK, BLKMOV, FILL, TIME_TCK
   if (block.type == Fc) return block.number <= lastOfIec;
   return block.type == Sfc && std::ranges::find(functions, block.number) != functions.end();
 }

@@ -91,6 +91,7 @@ void runSystemBlockOn(Machine<D>& m, const std::function<void()>& between) {
     case 1: return DateFunctions<D>(a).readClock();
     case 20: return BlockTransfer<D>(a).run(0, 1, 2, false);
     case 21: return BlockTransfer<D>(a).run(0, 1, 2, true);
+    case 64: return DateFunctions<D>(a).systemTime();
     default: return anyOutputs(a);
   }
 }

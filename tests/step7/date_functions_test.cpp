@@ -1,5 +1,6 @@
 // Functions of date and time on the engine. DATE_AND_TIME: BCD digits, weekday 1 = Sunday (002:1980-1996); DATE: days
 // since 1990-01-01 (002:2605). Dates by the calendar: 2008-05-31 was a Saturday, 2009-04-01 is day 7030 (16#1B76).
+#include "tests/step7/run7.hpp"
 #include "tests/step7/step7_run.hpp"
 
 namespace rungproof {
@@ -83,6 +84,22 @@ TEST(DateFunctions, S5TimeAndTime) {
     EXPECT_EQ(run.at(Area::M, Width::DWord, 0), static_cast<std::uint32_t>(ms)) << s5;
     EXPECT_EQ(run.word(4), run.word(6)) << s5;  // the smallest unit, as the constant has it (003:1016-1043)
   }
+}
+
+// SFC 0 sets the clock in the first scan; it goes on with the time of the run, which SFC 1 and SFC 64 tell: the second
+// scan begins 10 ms later, the tenth 1130 ms after the first.
+TEST(DateFunctions, TheClockRuns) {
+  const std::string blocks =
+      moments("DT#2008-5-31-23:59:59.0", "DT#1990-1-1-0:0:0.0") +
+      test7::block(1, std::string("A M 100.0; JC on; CALL SFC 0 (PDT := DB5.a, RET_VAL := MW 80); A BR; = M 92.1; SET; "
+                                  "= M 100.0; on: CALL SFC 1 (RET_VAL := MW 82, CDT := DB5.c); ") +
+                          takeOut + " CALL SFC 64 (RET_VAL := MD 84)");
+  const std::vector<std::string> rows =
+      test7::rowsOf(blocks, "MB2,MB3,MB5,MB6,MB7,MD84,M92.0,M92.1", {"--scans", "10"}, "scan,scan_ms\n1,10\n2,140\n");
+  ASSERT_EQ(rows.size(), 10U) << rows[0];
+  EXPECT_TRUE(rows[0].ends_with(",49,35,89,0,7,0,1,1")) << rows[0];   // 31, 23 h, 59 s, 0 ms, a Saturday
+  EXPECT_TRUE(rows[1].ends_with(",49,35,89,1,7,10,1,1")) << rows[1];  // 10 ms
+  EXPECT_TRUE(rows[9].ends_with(",1,0,0,19,1,1130,1,1")) << rows[9];  // 1 June, 130 ms, a Sunday
 }
 
 }  // namespace
