@@ -26,6 +26,7 @@ std::optional<std::uint64_t> cellAt(const Concrete::Store& store, Area area, std
       if (offset >= store.count(Reg::Accumulator)) return std::nullopt;
       return store.get(Reg::Accumulator, offset) & Concrete::mask(bits(width));
     case Area::L: offset += frame * frameBytes; break;
+    case Area::PI: area = Area::AI; break;  // what was read last
     default: break;
   }
   if (offset + static_cast<std::uint32_t>(bytes(width)) > store.area(area).size()) return std::nullopt;
@@ -108,6 +109,7 @@ void InstructionRecorder::finish(Running& running, const Machine<Concrete>& mach
     const Operand& operand = instruction.operands[i];
     const bool isAnalogInput = operand.kind == OperandKind::Direct && operand.area == Area::AI;
     record.written[i] = isAnalogInput ? record.read[i] : operandValue(machine, instruction, i, running.frame);
+    if (operand.kind == OperandKind::Direct && operand.area == Area::PI) record.read[i] = record.written[i];
   }
   if (!instruction.operands.empty()) {
     const Operand& first = instruction.operands[0];

@@ -13,6 +13,9 @@ class ReplayRun::Script final : public Outside {
  public:
   explicit Script(const Choices& choices) : unknown_(choices.is(Choice::UnknownBits, "one") ? ~0ULL : 0) {}
 
+  /// Where reads of analog inputs that are not given look.
+  void setState(const Concrete::Store& state) { state_ = &state; }
+
   /// The values of the scans to come, until others are loaded. Unknown bits that are all 0 need not be given.
   void load(const std::vector<ExternalValue>& values) {
     finish();
@@ -40,7 +43,7 @@ class ReplayRun::Script final : public Outside {
   }
   /// Whether unknown bits have other values than 0 in the scans to come.
   bool givesUnknownBits() const { return givesUnknownBits_; }
-  std::uint64_t external(const ExternalSite& site, int) override {
+  std::uint64_t external(const ExternalSite& site, int width) override {
     const Key wanted = key(site);
     const bool isNext =
         (next_ == 0 || sites_[next_ - 1].key < wanted) && (next_ == sites_.size() || sites_[next_].key >= wanted);
@@ -51,6 +54,7 @@ class ReplayRun::Script final : public Outside {
       // A loop that the prover follows for so many rounds reads an input that stays as it is.
       if (site.kind == External::ImmediateInput && !found.values.empty()) return found.values.back();
     }
+    if (site.kind == External::AnalogInput) return state_->load(Area::AI, site.index * 8, width);
     return isUnknown(site.kind) ? unknown_ : quietExternal(site);
   }
   void report(Hazard, const Instruction*) override {}
@@ -82,6 +86,7 @@ class ReplayRun::Script final : public Outside {
     isBegun_ = false;
   }
 
+  const Concrete::Store* state_ = nullptr;
   const std::uint64_t unknown_;
   std::vector<Site> sites_;  ///< by key
   std::size_t next_ = 0;     ///< where a scan looks next, mostly: it asks in this order
@@ -102,7 +107,9 @@ struct ReplayRun::Parts {
   bool isWatched;
 
   Parts(const Program& program, const Choices& choices, bool hasWatcher)
-      : script(choices), simulator(program, optionsOf(choices), &script), isWatched(hasWatcher) {}
+      : script(choices), simulator(program, optionsOf(choices), &script), isWatched(hasWatcher) {
+    script.setState(simulator.store());
+  }
   static SimulatorOptions optionsOf(const Choices& choices) {
     SimulatorOptions options;
     options.choices = choices;

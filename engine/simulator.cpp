@@ -95,6 +95,7 @@ void Simulator::scanInRun(const ScanRequest& request, std::uint32_t lengthUs) {
   startMs_ = clockMs_;
   nextMs_ = script_ == nullptr ? Cost::perMs - sinceTick_ : isScriptQuiet() ? watchdogTime() + 1 : 0;
   scanTicks_ = scriptedTicks_ = 0;
+  showInputsToModules();
   isCalm_ = staysCalm(request, lengthUs);
   if (isCalm_) {
     beginCalmly(lengthUs);
@@ -165,7 +166,21 @@ std::uint64_t Simulator::startByte(int block, std::uint32_t byte, std::uint64_t 
 }
 
 std::uint64_t Simulator::read(const Operand& operand) const { return cellValue(store_, operand); }
-void Simulator::write(const Operand& operand, std::uint64_t value) { setCell(store_, operand, value); }
+void Simulator::write(const Operand& operand, std::uint64_t value) {
+  setCell(store_, operand, value);
+  if (operand.area != Area::PI) return;
+  const auto isGiven = [&](std::uint32_t byte) {
+    return byte >= operand.offset && byte < operand.offset + static_cast<std::uint32_t>(bytes(operand.width));
+  };
+  std::erase_if(askedModules_, isGiven);
+}
+
+/// A module says at a direct access what it says when the image is read.
+void Simulator::showInputsToModules() {
+  const auto& terminals = store_.terminals(Reg::PhysicalInput);
+  for (const std::uint32_t byte : askedModules_)
+    store_.area(Area::AI)[byte] = byte < terminals.size() ? terminals[byte] : store_.area(Area::I)[byte];
+}
 
 void Simulator::writeByDevice(const Operand& operand, std::uint64_t value) {
   isCalm_ = false;
@@ -223,9 +238,10 @@ std::uint64_t Simulator::externalValue(const ExternalSite& site, int width) {
                                                              : store_.load(Area::I, site.index, 1);
       break;
     case External::AnalogInput:
-      if (outside_ == nullptr || options_.choices.is(Choice::AnalogSampling, "each-scan"))
-        return store_.load(Area::AI, site.index * 8, width);
-      break;
+      // What was read last is what traces show.
+      if (outside_ != nullptr && options_.choices.is(Choice::AnalogSampling, "each-read"))
+        store_.save(Area::AI, site.index * 8, width, outside_->external(site, width), true);
+      return store_.load(Area::AI, site.index * 8, width);
     case External::ClockByte:
       if (outside_ == nullptr) return devices_.clock.byteAt(site.index, clockMs_);
       break;

@@ -171,6 +171,7 @@ class Simulator final : private Outside {
   std::uint64_t startByte(int block, std::uint32_t byte, std::uint64_t unknown) const;
 
   void prepareCosts();
+  void showInputsToModules();
   void scanInRun(const ScanRequest& request, std::uint32_t lengthUs);
   void scanInStop(std::uint32_t lengthUs);
   void boundary(Runner& runner, const FlowStep* step);
@@ -268,12 +269,13 @@ class Simulator final : private Outside {
   /// The program as machine code, without and with its time; what was tried and is not there stays nullptr.
   std::array<std::unique_ptr<compiled::CompiledProgram>, 2> compiled_;
   std::array<bool, 2> isCompileTried_{};
-  bool isCalm_ = false;            ///< only the program decides what the next scan leaves (calm_scan.cpp)
-  std::uint64_t longestCalm_ = 0;  ///< 10 ns: longest scan that the CPU allows
-  bool hasFineTimers_ = false;     ///< timers that count single ms
-  bool readsStart_ = false;        ///< of OB1, as engine/block_start.hpp gives it
-  bool touchesQueueBits_ = false;  ///< an instruction may write SM4.0 to SM4.2
-  bool savesMemory_ = false;       ///< the CPU's SM31.7 starts saving
+  bool isCalm_ = false;                      ///< only the program decides what the next scan leaves (calm_scan.cpp)
+  std::uint64_t longestCalm_ = 0;            ///< 10 ns: longest scan that the CPU allows
+  bool hasFineTimers_ = false;               ///< timers that count single ms
+  std::vector<std::uint32_t> askedModules_;  ///< bytes of PI that answer as the image's inputs until write() says more
+  bool readsStart_ = false;                  ///< of OB1, as engine/block_start.hpp gives it
+  bool touchesQueueBits_ = false;            ///< an instruction may write SM4.0 to SM4.2
+  bool savesMemory_ = false;                 ///< the CPU's SM31.7 starts saving
   std::uint64_t compiledScans_ = 0;
   std::uint64_t referenceUntil_ = 0;  ///< scan up to which machine code, which has given up, is not tried again
   std::uint32_t givenUp_ = 0;         ///< times in a row

@@ -23,6 +23,11 @@ Width leafWidth(int bits) {
   return bits == 1 ? Width::Bit : bits == 8 ? Width::Byte : bits == 16 ? Width::Word : Width::DWord;
 }
 
+/// Whether the operand begins with a module's word at `index`.
+bool beginsAt(const Operand& operand, std::uint32_t index) {
+  return (operand.area == Area::AI || operand.area == Area::PI) && operand.offset == index;
+}
+
 }  // namespace
 
 struct AskedProperties::Leaf {
@@ -81,6 +86,38 @@ AskedProperties::AskedProperties(const Program& program, const PropertySet& set,
   for (std::size_t i = 1; i < ends.size(); ++i) approximateReals(ends[i].first, ends[i - 1].second, ends[i].second);
   const std::size_t ofProgram = encoding_->graph().size();
   chooseTimeBases(set, goals);
+  // What is assumed of an analog input holds at each read of it, and not only at the last. What is remembered from scan
+  // to scan is asked of the last.
+  const auto assumeOfEachRead = [&](AskedProperty& assumed) {
+    Graph& graph = encoding_->graph();
+    const std::vector<const Operand*> named = addressesOf(assumed.property);
+    std::vector<Graph::Bits> none, ignored;
+    const Moment<Graph> moment{{encoding_->firstScan()}, graph.literal(0, 1), 1};
+    const std::vector<ExternalInput> externals = encoding_->externals();
+    for (std::size_t i = 0; i < externals.size(); ++i) {
+      const ExternalInput& read = externals[i];
+      const std::uint32_t index = read.site.index;
+      const auto isRead = [&](const Operand* operand) { return beginsAt(*operand, index); };
+      if (!assumed.property.cells.empty() || read.site.kind != External::AnalogInput || read.node == noNode ||
+          std::ranges::none_of(named, isRead))
+        continue;
+      const auto then = [&](const Operand& o, int width) -> Graph::Bits {
+        if (!beginsAt(o, index)) return {leaf(o, width)};
+        if (width == 16) return {read.node};
+        if (width == 8) return graph.extract({read.node}, 15, 8);
+        // The second word of a double word is read with the first.
+        const bool isPair = i + 1 < externals.size() && externals[i + 1].node != noNode &&
+                            externals[i + 1].site.kind == read.site.kind &&
+                            externals[i + 1].site.instruction == read.site.instruction &&
+                            externals[i + 1].site.index == index + 2;
+        const Node second = isPair ? externals[i + 1].node : leaf(direct(o.area, Width::Word, index + 2), 16);
+        return graph.concat({read.node}, 16, {second}, 16);
+      };
+      const Graph::Bool holds =
+          Monitor<Graph, decltype(then)>(graph, assumed.property, then, moment, none, ignored).evaluate();
+      assumed.answer = graph.land({assumed.answer}, graph.lor(graph.lnot({read.guard}), holds)).node;
+    }
+  };
   std::size_t next = 0;
   for (const Property& property : goals) {
     goals_.push_back({inItsBase(property), noNode, {}});
@@ -95,6 +132,7 @@ AskedProperties::AskedProperties(const Program& program, const PropertySet& set,
     if (property.isGoal()) continue;
     assumptions_.push_back({inItsBase(property), noNode, {}});
     addMonitor(assumptions_.back());
+    assumeOfEachRead(assumptions_.back());
     assumptions_.back().answer = encoding_->graph().lor({assumptions_.back().answer}, {encoding_->faulted()}).node;
   }
   approximateReals(nullptr, ofProgram, encoding_->graph().size());

@@ -19,8 +19,8 @@ std::vector<ScanInput> scanInputsOf(const EncodedScan& scan) {
       }
     }
   }
-  for (const auto& [byte, sample] : scan.analogInputs())
-    inputs.push_back({direct(Area::AI, Width::Word, byte), sample});
+  const Area analog = scan.plan().isStep7() ? Area::PI : Area::AI;
+  for (const auto& [byte, sample] : scan.analogInputs()) inputs.push_back({direct(analog, Width::Word, byte), sample});
   return inputs;
 }
 

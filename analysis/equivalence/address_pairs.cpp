@@ -17,6 +17,7 @@ Address wordOf(const Address& address) { return {address.area, address.index / a
 }  // namespace
 
 Address addressOf(const Operand& operand) {
+  if (operand.area == Area::PI) return {Area::AI, operand.offset};
   if (isWholeValue(operand.area)) return {operand.area, operand.offset};
   return {operand.area, operand.offset * 8 + (operand.width == Width::Bit ? operand.bit : 0U)};
 }
@@ -28,6 +29,7 @@ Operand operandAt(const Address& address) {
 }
 
 std::uint32_t extentOf(const Operand& operand) {
+  if (operand.area == Area::PI && operand.width == Width::DWord) return 3;  // the words at its beginning and 2 behind
   return isWholeValue(operand.area) ? 1 : static_cast<std::uint32_t>(bits(operand.width));
 }
 
@@ -115,7 +117,7 @@ std::optional<Operand> AddressPairs::before(const Operand& after) const {
     if (!next || next->area != start->area || next->index != start->index + i) return std::nullopt;
   }
   Operand result = after;
-  result.area = start->area;
+  result.area = after.area == Area::PI ? Area::PI : start->area;
   if (isWholeValue(start->area)) {
     result.offset = start->index;
   } else {

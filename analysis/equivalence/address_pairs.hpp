@@ -20,8 +20,10 @@ struct Address {
 };
 /// Whether an address is a whole value instead of a bit: numbers, and the words that the terminals give. What goes to
 /// AQ is counted in bits like memory.
-constexpr bool isWholeValue(Area area) { return addressedByNumber(area) || (isInputArea(area) && isAnalogue(area)); }
-/// First address that a direct operand names.
+constexpr bool isWholeValue(Area area) {
+  return addressedByNumber(area) || area == Area::PI || (isInputArea(area) && isAnalogue(area));
+}
+/// First address that a direct operand names; of PI that of the sample, which has the area AI in both families.
 Address addressOf(const Operand& operand);
 /// Addresses that are compared as one value.
 struct ComparedRange {

@@ -62,7 +62,8 @@ class InputPairing {
   /// One bit of an input, or a number as wide as `like`.
   static ScanInput partAt(const Address& address, const Operand& like, int shift) {
     const bool isNumber = isWholeValue(address.area);
-    return {isNumber ? direct(address.area, like.width, address.index) : operandAt(address), noNode, shift};
+    const Area area = address.area == Area::AI ? like.area : address.area;  // AI or PI
+    return {isNumber ? direct(area, like.width, address.index) : operandAt(address), noNode, shift};
   }
 
   void addOld(const RunSpace::Input& input) {

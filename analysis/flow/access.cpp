@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "ir/s7200/cpu.hpp"
 #include "ir/s7200/library_block.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/pointer_code.hpp"
@@ -24,7 +25,8 @@ struct Extent {
 
 class AccessCollector {
  public:
-  AccessCollector(const Program& program, std::vector<Access>& accesses) : accesses_(accesses) {
+  AccessCollector(const Program& program, std::vector<Access>& accesses)
+      : outputImage_(areaSize(program.target, Area::Q)), accesses_(accesses) {
     for (const Pou& pou : program.pous) {
       if (pou.kind == PouKind::Subroutine) subroutines_.emplace(pou.number, &pou);
     }
@@ -174,6 +176,14 @@ class AccessCollector {
     }
     access.write = write;
     accesses_.push_back(access);
+    if (write && o.kind == OperandKind::Direct && o.area == Area::PQ) throughToImage(access);
+  }
+
+  /// What goes to a module at once goes to the image too, as far as that reaches (002:1273).
+  void throughToImage(Access access) {
+    access.area = Area::Q;
+    if (access.offset + bytes(access.width) > outputImage_) access.width = Width::Byte;
+    if (access.offset < outputImage_) accesses_.push_back(access);
   }
 
   /// S7-300/400: a place that registers or the call decide; a pointer that stands at an address is read.
@@ -267,6 +277,7 @@ class AccessCollector {
     }
   }
 
+  std::uint32_t outputImage_;  ///< bytes
   std::vector<Access>& accesses_;
   std::map<int, const Pou*> subroutines_;
   const Instruction* instruction_ = nullptr;

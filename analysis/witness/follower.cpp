@@ -19,6 +19,16 @@ std::uint64_t analog(const Concrete::Store& state, const ReplayScan& scan, std::
   return value;
 }
 
+/// A byte, word or double word of a module out of the words that begin at its addresses.
+template <class WordAt>
+std::uint64_t moduleValue(const Operand& operand, int width, WordAt wordAt) {
+  const std::uint64_t word = wordAt(operand.offset);
+  if (operand.area == Area::AI) return word;
+  return width == 32 ? word << 16 | wordAt(operand.offset + 2) : width == 16 ? word : word >> 8;
+}
+
+bool isOfModule(const Operand& operand) { return operand.area == Area::AI || operand.area == Area::PI; }
+
 }  // namespace
 
 Follower::Follower(const Property& property) : property_(property), cells_(property.cells.size(), 0) {
@@ -32,11 +42,8 @@ Follower::Follower(const Property& property) : property_(property), cells_(prope
 
 std::uint64_t Follower::leaf(const Concrete::Store& state, const ReplayScan& scan, const Operand& operand,
                              int width) const {
-  if (operand.area == Area::AI) return analog(state, scan, operand.offset);
-  if (operand.area == Area::PI) {
-    const std::uint64_t word = analog(state, scan, operand.offset);
-    return width == 32 ? word << 16 | analog(state, scan, operand.offset + 2) : width == 16 ? word : word >> 8;
-  }
+  if (isOfModule(operand))
+    return moduleValue(operand, width, [&](std::uint32_t at) { return analog(state, scan, at); });
   Operand address = operand;
   if (hasBitAndWord(operand.area)) address.width = width == 1 ? Width::Bit : width == 32 ? Width::DWord : Width::Word;
   return valueIn(state, address);
@@ -65,13 +72,31 @@ bool Follower::isUnchanged(const Concrete::Store& state, const ReplayScan& scan)
 }
 
 bool Follower::evaluate(Concrete& domain, const Concrete::Store& state, const ReplayScan& scan, bool isFirst) {
-  if (isStateless_ && isUnchanged(state, scan)) return answer_;
   const auto look = [&](const Operand& o, int width) { return leaf(state, scan, o, width); };
   std::vector<std::uint64_t> after = cells_;
   const Moment<Concrete> moment{isFirst, scan.lengthMs, 32};
-  answer_ = Monitor<Concrete, decltype(look)>(domain, property_, look, moment, cells_, after).evaluate();
-  cells_ = std::move(after);
-  return answer_;
+  if (!isStateless_ || !isUnchanged(state, scan)) {
+    answer_ = Monitor<Concrete, decltype(look)>(domain, property_, look, moment, cells_, after).evaluate();
+    cells_ = std::move(after);
+  }
+  if (property_.isGoal() || !cells_.empty()) return answer_;
+  // As the encoding asks it (asked_properties.cpp): what is assumed of an analog input holds at each read of it.
+  return answer_ && std::ranges::all_of(scan.externals, [&](const ExternalValue& read) {
+           if (read.site.kind != External::AnalogInput) return true;
+           const ExternalValue* next = &read == &scan.externals.back() ? nullptr : &read + 1;
+           const bool isPair = next != nullptr && next->site.kind == read.site.kind &&
+                               next->site.instruction == read.site.instruction &&
+                               next->site.index == read.site.index + 2;
+           const auto wordAt = [&](std::uint32_t at) {
+             return at == read.site.index ? read.value : isPair ? next->value : analog(state, scan, at);
+           };
+           const auto then = [&](const Operand& o, int width) {
+             const bool isHere = isOfModule(o) && o.offset == read.site.index;
+             return isHere ? moduleValue(o, width, wordAt) : leaf(state, scan, o, width);
+           };
+           std::vector<std::uint64_t> none, ignored;
+           return Monitor<Concrete, decltype(then)>(domain, property_, then, moment, none, ignored).evaluate();
+         });
 }
 
 }  // namespace rungproof

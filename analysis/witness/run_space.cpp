@@ -119,7 +119,7 @@ class NamedPlaces {
         break;
       case Area::PI:
         for (std::uint32_t byte = 0; byte < static_cast<std::uint32_t>(bytes(o.width)); byte += 2)
-          inputs_.insert({Area::AI, (o.offset + byte) * 8, 16});
+          inputs_.insert({o.area, (o.offset + byte) * 8, 16});
         break;
       case Area::AI: inputs_.insert({o.area, o.offset * 8, 16}); break;
       case Area::HC: inputs_.insert({o.area, o.offset * 8, 32}); break;

@@ -39,9 +39,11 @@ struct StillOutside final : Outside {
   void report(Hazard, const Instruction*) override {}
 };
 
+/// Each read of an analog input in a scan finds the same, which is one way in which a module may answer.
 inline SimulatorOptions stillOptions(const Choices& choices) {
   SimulatorOptions options;
   options.choices = choices;
+  options.choices.set(choiceInfo(Choice::AnalogSampling).key, "each-scan");
   return options;
 }
 

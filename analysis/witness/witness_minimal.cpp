@@ -73,11 +73,18 @@ class Minimiser {
     return true;
   }
 
-  void dropChance() {
+  /// Whether the run shows the same without these values.
+  template <class Dispensable>
+  bool dropExternals(Dispensable isDispensable) {
     std::vector<ReplayScan> scans = best_.scans;
     std::size_t dropped = 0;
-    for (ReplayScan& scan : scans) dropped += std::erase_if(scan.externals, isChance);
-    if (dropped > 0) acceptAsLong(std::move(scans));
+    for (ReplayScan& scan : scans) dropped += std::erase_if(scan.externals, isDispensable);
+    return dropped > 0 && acceptAsLong(std::move(scans));
+  }
+  void dropChance() {
+    dropExternals(isChance);
+    // Where every read of an analog input may find the same, the input says it.
+    dropExternals([](const ExternalValue& value) { return value.site.kind == External::AnalogInput; });
   }
 
   /// Neighbours that can have the inputs of the first of them become one stretch, which lasts as long.

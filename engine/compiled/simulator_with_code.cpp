@@ -32,6 +32,27 @@ bool touchesQueueBits(const Plan& plan) {
   return std::ranges::any_of(plan.flows, [&](const Flow& flow) { return std::ranges::any_of(flow.steps, mayTouch); });
 }
 
+/// The bytes of PI that instructions name and that the image of the inputs has too.
+std::vector<std::uint32_t> modulesAskedBy(const Program& program) {
+  std::vector<std::uint32_t> found;
+  for (const Pou& pou : program.pous) {
+    for (const Network& network : pou.networks) {
+      for (const Instruction& instruction : network.instructions) {
+        for (const Operand& operand : instruction.operands) {
+          if (operand.kind != OperandKind::Direct || operand.area != Area::PI) continue;
+          for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(bytes(operand.width)); ++i)
+            found.push_back(operand.offset + i);
+        }
+      }
+    }
+  }
+  std::ranges::sort(found);
+  const auto rest = std::ranges::unique(found);
+  found.erase(rest.begin(), rest.end());
+  std::erase_if(found, [&](std::uint32_t byte) { return byte >= areaSize(program.target, Area::I); });
+  return found;
+}
+
 /// Scans after which a run is taken for long enough to pay for machine code.
 constexpr std::uint64_t scansBefore = 100;
 /// After so many doublings the pause behind an attempt that gave up grows no more.
@@ -52,6 +73,7 @@ Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* 
       unknownIsZero_(outside == nullptr && options_.choices.is(Choice::UnknownBits, "zero")),
       random_(options_.seed) {
   touchesQueueBits_ = touchesQueueBits(plan_);
+  if (outside_ == nullptr && plan_.isStep7()) askedModules_ = modulesAskedBy(program);
   readsStart_ = outside_ == nullptr && mayReadStartOfMain(plan_);
   startClock(Reg::PhaseHundred, options_.phaseMs);
   prepareCosts();

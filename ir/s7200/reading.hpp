@@ -17,9 +17,9 @@ constexpr Choice choiceOfReading(std::uint32_t index) { return static_cast<Choic
 constexpr std::uint8_t valueOfReading(std::uint32_t index) { return static_cast<std::uint8_t>(index % 2 + 1); }
 
 /// The choices with what the CPU itself makes of those that nobody has made: the S7-200 SMART has no input filter for
-/// analog inputs, so each read of AIW finds a new value.
+/// analog inputs, so each read of AIW finds a new value; of an S7-300/400 each read of PIW asks the module (002:1292).
 inline Choices choicesFor(const Target& target, Choices choices) {
-  if (isSmart(target) && !choices.isChosen(Choice::AnalogSampling))
+  if ((isSmart(target) || isStep7(target)) && !choices.isChosen(Choice::AnalogSampling))
     choices.value[static_cast<std::size_t>(Choice::AnalogSampling)] =
         NamedReading(Choice::AnalogSampling, "each-read").value;
   return choices;

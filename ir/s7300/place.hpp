@@ -334,9 +334,10 @@ typename D::Bits Step7Places<D>::loadPlace(Area area, std::uint32_t offset, std:
     return d_.select(fails, m_.external(External::UnknownResult, index, w), value, w);
   };
   // A module is read at once; its words are samples of their own.
-  if (width == Width::DWord)
-    return unlessFailed(d_.concat(m_.external(External::AnalogInput, offset, 16), 16,
-                                  m_.external(External::AnalogInput, offset + 2, 16), 16));
+  if (width == Width::DWord) {
+    const Bits first = m_.external(External::AnalogInput, offset, 16);
+    return unlessFailed(d_.concat(first, 16, m_.external(External::AnalogInput, offset + 2, 16), 16));
+  }
   const Bits word = m_.external(External::AnalogInput, offset, 16);
   return unlessFailed(width == Width::Word ? word : d_.extract(word, 15, 8));
 }
