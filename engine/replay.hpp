@@ -39,7 +39,7 @@ struct ReplayScan {
   ScanScript script;
   /// For every kind, index and instruction the values in the order in which the run asks for them. A value that is
   /// missing is 0 (Choice::UnknownBits decides for stack bottom, local memory and unknown status); an input that is
-  /// read at once keeps the last value given.
+  /// read at once keeps the last value given, an analog one what it was set to or found at last.
   std::vector<ExternalValue> externals;
   std::uint32_t repeats = 1;  ///< the same scan is made that many times, one after the other
 };

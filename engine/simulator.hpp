@@ -111,6 +111,8 @@ class Simulator final : private Outside {
   /// In the scans to come, whether bits that the manual calls unknown are 0, without a question to `outside` and unseen
   /// by the observer.
   void readUnknownAsZero(bool isZero) { unknownIsZero_ = isZero; }
+  /// S7-300/400: whether the program asks modules at once that answer as the image of the inputs does.
+  bool asksInputModules() const { return !askedModules_.empty(); }
   /// Says that `outside` gives 0 for what an S7-300/400 leaves open: registers at the start of an organization block,
   /// first units of timers, modules that do not answer. Machine code takes that for granted.
   void expectFreeZero() { freeIsZero_ = true; }

@@ -32,6 +32,9 @@ bool touchesQueueBits(const Plan& plan) {
   return std::ranges::any_of(plan.flows, [&](const Flow& flow) { return std::ranges::any_of(flow.steps, mayTouch); });
 }
 
+/// Analog modules have their addresses from there on, where nothing else is configured.
+constexpr std::uint32_t firstAnalogModule = 256;
+
 /// The bytes of PI that instructions name and that the image of the inputs has too.
 std::vector<std::uint32_t> modulesAskedBy(const Program& program) {
   std::vector<std::uint32_t> found;
@@ -49,7 +52,8 @@ std::vector<std::uint32_t> modulesAskedBy(const Program& program) {
   std::ranges::sort(found);
   const auto rest = std::ranges::unique(found);
   found.erase(rest.begin(), rest.end());
-  std::erase_if(found, [&](std::uint32_t byte) { return byte >= areaSize(program.target, Area::I); });
+  const std::uint32_t end = std::min(areaSize(program.target, Area::I), firstAnalogModule);
+  std::erase_if(found, [&](std::uint32_t byte) { return byte >= end; });
   return found;
 }
 

@@ -100,6 +100,7 @@ std::string ManyTraces::hindranceOf(lanes::Vectors most) const {
   if (std::min(most, lanes::vectorsHere()) == lanes::Vectors::None) return "the processor has no AVX2";
   if (!plan.isStep7() && plan.main() == nullptr) return "there is no main program";
   if (!options_.choices.is(Choice::UnknownBits, "zero")) return "bits that the manual calls unknown are not 0";
+  if (lead_.asksInputModules()) return "modules are asked at once for what the image of the inputs has";
   const auto isAttached = [&](int event) {
     return event >= 0 && common_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event)) != 0;
   };
