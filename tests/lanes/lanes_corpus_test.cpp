@@ -128,6 +128,19 @@ TEST(Lanes, AScanShorterThanTheProgramIsForTheSimulator) {
   EXPECT_EQ(many.sideBySide(), 0U);
 }
 
+/// A module says at once what it says when the image is read (002:1292): input 0.0 of trace 1 alone is on.
+TEST(Lanes, ModulesThatAreAskedAtOnceSayWhatTheInputsAre) {
+  ReadOptions reading;
+  reading.dialect = "s7-300";
+  const Program program = readText(
+      "small.awl", "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nL PIB 0;\nT MB 0;\nEND_ORGANIZATION_BLOCK\n", reading);
+  ManyTraces many(program, {}, 2);
+  many.setInput(0, 0, {0b10});
+  many.scan(10'000);
+  EXPECT_EQ(many.read(0, direct(Area::M, Width::Byte, 0)), 0U);
+  EXPECT_EQ(many.read(1, direct(Area::M, Width::Byte, 0)), 1U);
+}
+
 TEST(Lanes, WhatTheCpuWritesIsNotForPrograms) {
   const Program program = programOf("Network 1\nLD I0.0\nMOVW 5, SMW22\n");
   EXPECT_EQ(ManyTraces(program, {}, 2).hindrance(), "the program writes what belongs to the CPU");
