@@ -86,38 +86,6 @@ AskedProperties::AskedProperties(const Program& program, const PropertySet& set,
   for (std::size_t i = 1; i < ends.size(); ++i) approximateReals(ends[i].first, ends[i - 1].second, ends[i].second);
   const std::size_t ofProgram = encoding_->graph().size();
   chooseTimeBases(set, goals);
-  // What is assumed of an analog input holds at each read of it, and not only at the last. What is remembered from scan
-  // to scan is asked of the last.
-  const auto assumeOfEachRead = [&](AskedProperty& assumed) {
-    Graph& graph = encoding_->graph();
-    const std::vector<const Operand*> named = addressesOf(assumed.property);
-    std::vector<Graph::Bits> none, ignored;
-    const Moment<Graph> moment{{encoding_->firstScan()}, graph.literal(0, 1), 1};
-    const std::vector<ExternalInput> externals = encoding_->externals();
-    for (std::size_t i = 0; i < externals.size(); ++i) {
-      const ExternalInput& read = externals[i];
-      const std::uint32_t index = read.site.index;
-      const auto isRead = [&](const Operand* operand) { return beginsAt(*operand, index); };
-      if (!assumed.property.cells.empty() || read.site.kind != External::AnalogInput || read.node == noNode ||
-          std::ranges::none_of(named, isRead))
-        continue;
-      const auto then = [&](const Operand& o, int width) -> Graph::Bits {
-        if (!beginsAt(o, index)) return {leaf(o, width)};
-        if (width == 16) return {read.node};
-        if (width == 8) return graph.extract({read.node}, 15, 8);
-        // The second word of a double word is read with the first.
-        const bool isPair = i + 1 < externals.size() && externals[i + 1].node != noNode &&
-                            externals[i + 1].site.kind == read.site.kind &&
-                            externals[i + 1].site.instruction == read.site.instruction &&
-                            externals[i + 1].site.index == index + 2;
-        const Node second = isPair ? externals[i + 1].node : leaf(direct(o.area, Width::Word, index + 2), 16);
-        return graph.concat({read.node}, 16, {second}, 16);
-      };
-      const Graph::Bool holds =
-          Monitor<Graph, decltype(then)>(graph, assumed.property, then, moment, none, ignored).evaluate();
-      assumed.answer = graph.land({assumed.answer}, graph.lor(graph.lnot({read.guard}), holds)).node;
-    }
-  };
   std::size_t next = 0;
   for (const Property& property : goals) {
     goals_.push_back({inItsBase(property), noNode, {}});
@@ -139,6 +107,37 @@ AskedProperties::AskedProperties(const Program& program, const PropertySet& set,
   // Last: cells that only a property asks for have had their carriers added now.
   approximations_.insert(approximations_.begin(), encoding_->approximations().begin(),
                          encoding_->approximations().end());
+}
+
+/// What is assumed of an analog input holds at each read of it, and not only at the last. What is remembered from scan
+/// to scan is asked of the last.
+void AskedProperties::assumeOfEachRead(AskedProperty& assumed) {
+  if (!assumed.property.cells.empty()) return;
+  Graph& graph = encoding_->graph();
+  const std::vector<const Operand*> named = addressesOf(assumed.property);
+  std::vector<Graph::Bits> none, ignored;
+  const Moment<Graph> moment{{encoding_->firstScan()}, graph.literal(0, 1), 1};
+  const std::vector<ExternalInput> externals = encoding_->externals();
+  for (std::size_t i = 0; i < externals.size(); ++i) {
+    const ExternalInput& read = externals[i];
+    const std::uint32_t index = read.site.index;
+    const auto isRead = [&](const Operand* operand) { return beginsAt(*operand, index); };
+    if (read.site.kind != External::AnalogInput || read.node == noNode || std::ranges::none_of(named, isRead)) continue;
+    const auto then = [&](const Operand& o, int width) -> Graph::Bits {
+      if (!beginsAt(o, index)) return {leaf(o, width)};
+      if (width == 16) return {read.node};
+      if (width == 8) return graph.extract({read.node}, 15, 8);
+      // The second word of a double word is read with the first.
+      const bool isPair =
+          i + 1 < externals.size() && externals[i + 1].node != noNode && externals[i + 1].site.kind == read.site.kind &&
+          externals[i + 1].site.instruction == read.site.instruction && externals[i + 1].site.index == index + 2;
+      const Node second = isPair ? externals[i + 1].node : leaf(direct(o.area, Width::Word, index + 2), 16);
+      return graph.concat({read.node}, 16, {second}, 16);
+    };
+    const Graph::Bool holds =
+        Monitor<Graph, decltype(then)>(graph, assumed.property, then, moment, none, ignored).evaluate();
+    assumed.answer = graph.land({assumed.answer}, graph.lor(graph.lnot({read.guard}), holds)).node;
+  }
 }
 
 /// REAL operations among the nodes from `first` to `end`, made by that instruction.

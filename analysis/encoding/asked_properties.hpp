@@ -57,6 +57,7 @@ class AskedProperties {
  private:
   struct Leaf;
   void addMonitor(AskedProperty& asked);
+  void assumeOfEachRead(AskedProperty& assumed);
   void chooseTimeBases(const PropertySet& set, const std::vector<Property>& goals);
   Property inItsBase(const Property& property) const;
   Node leaf(const Operand& operand, int width);

@@ -52,13 +52,9 @@ class RateSearch {
 
   int widthOf(Node n) const { return graph_[n].width; }
   Node word(std::size_t state) const { return system_.states[state].node; }
-  Node withoutExtension(Node n) const {
-    while (graph_[n].op == Op::Zext || graph_[n].op == Op::Sext) n = graph_[n].child[0];
-    return n;
-  }
   /// The word, a sum of it with a constant, or what is chosen between these and anything else.
   bool leadsTo(Node n, Node self, int depth = 8) const {
-    n = withoutExtension(n);
+    n = withoutExtension(graph_, n);
     const NodeData& node = graph_[n];
     if (n == self) return true;
     if (depth == 0) return false;
@@ -104,7 +100,7 @@ class RateSearch {
   }
   /// What a node is or may be chosen to be.
   std::set<std::uint64_t> constantsOf(Node n, int depth = 8) const {
-    n = withoutExtension(n);
+    n = withoutExtension(graph_, n);
     const NodeData& node = graph_[n];
     if (node.op == Op::Constant) return {node.value};
     std::set<std::uint64_t> result;
@@ -116,7 +112,6 @@ class RateSearch {
     }
     return result;
   }
-  static bool isOrder(Op op) { return op == Op::Ult || op == Op::Ule || op == Op::Slt || op == Op::Sle; }
 
   /// The least and the largest value of an increment under the constraints.
   std::optional<Range> limitsOf(Node increment) {

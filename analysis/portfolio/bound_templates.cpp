@@ -159,8 +159,8 @@ class TemplateSearch {
   }
   /// What two additions in a row add.
   Node together(Node first, Node second) {
-    first = withoutExtension(first);
-    second = withoutExtension(second);
+    first = withoutExtension(graph_, first);
+    second = withoutExtension(graph_, second);
     const int width = std::max(widthOf(first), widthOf(second));
     return graph_.make(Op::Add, width, wide(first, width), wide(second, width));
   }
@@ -178,16 +178,12 @@ class TemplateSearch {
     return graph_.constantNode(size, node.width);
   }
   bool isBlasted(Node n) const { return graph_[n].op == Op::Constant || blast_.contains(n); }
-  Node withoutExtension(Node n) const {
-    while (graph_[n].op == Op::Zext || graph_[n].op == Op::Sext) n = graph_[n].child[0];
-    return n;
-  }
   bool isWordOrLowPart(Node n, Node self) const {
     return n == self || (graph_[n].op == Op::Extract && graph_[n].child[0] == self && graph_[n].value == 0);
   }
   /// The word itself, or constants where it is set anew.
   bool carries(Node n, Node self, int depth = 8) const {
-    n = withoutExtension(n);
+    n = withoutExtension(graph_, n);
     if (isWordOrLowPart(n, self)) return true;
     if (graph_[n].op != Op::Ite || depth == 0) return false;
     const auto isArm = [&](std::size_t i) {
@@ -204,7 +200,7 @@ class TemplateSearch {
     std::vector<Node> open{n};
     std::set<std::uint32_t> choices;
     while (!open.empty()) {
-      const Node at = withoutExtension(open.back());
+      const Node at = withoutExtension(graph_, open.back());
       open.pop_back();
       if (isWordOrLowPart(at, self)) return at;
       if (isCut && graph_[at].op == Op::Extract && graph_[at].value == 0) open.push_back(graph_[at].child[0]);
@@ -273,13 +269,14 @@ class TemplateSearch {
   void toOneWidth(const std::vector<std::size_t>& group) {
     int width = 0;
     for (const std::size_t i : group)
-      width = std::max({width, widthOf(words_[i].sum.word), widthOf(withoutExtension(words_[i].sum.increment))});
+      width =
+          std::max({width, widthOf(words_[i].sum.word), widthOf(withoutExtension(graph_, words_[i].sum.increment))});
     width += 2;
     for (const std::size_t i : group) {
       Summand& sum = words_[i].sum;
       const Node own = sum.next;
       sum.word = wide(sum.word, width, words_[i].extension);
-      sum.increment = wide(withoutExtension(sum.increment), width);
+      sum.increment = wide(withoutExtension(graph_, sum.increment), width);
       if (words_[i].countsDown) {
         sum.word = graph_.make(Op::Not, width, sum.word);
         sum.next = graph_.make(Op::Add, width, sum.word, sum.increment);
@@ -389,7 +386,7 @@ class TemplateSearch {
       if (!x.sum.isPending || x.countsDown) continue;
       std::vector<std::uint64_t>& ends = ends_[x.state];
       for (const Node n : cone) {
-        if (!isComparison(graph_[n].op) || ends.size() == schedule::stopLimit) continue;
+        if ((!isOrder(graph_[n].op) && graph_[n].op != Op::Equal) || ends.size() == schedule::stopLimit) continue;
         for (std::size_t side = 0; side < 2; ++side) {
           const NodeData& limit = graph_[graph_[n].child[side]];
           if (limit.op != Op::Constant || limit.value < 2 || !isNextOf(graph_[n].child[1 - side], x)) continue;
@@ -398,13 +395,11 @@ class TemplateSearch {
       }
     }
   }
-  static bool isComparison(Op op) {
-    return op == Op::Ult || op == Op::Ule || op == Op::Slt || op == Op::Sle || op == Op::Equal;
-  }
   /// The sum, the word, or what is chosen between them and constants.
   bool isNextOf(Node n, const CountingWord& x, int depth = 8) const {
-    n = withoutExtension(n);
-    if (n == withoutExtension(x.sum.next) || n == word(x.state) || n == system_.states[x.state].next) return true;
+    n = withoutExtension(graph_, n);
+    if (n == withoutExtension(graph_, x.sum.next) || n == word(x.state) || n == system_.states[x.state].next)
+      return true;
     if (graph_[n].op == Op::Extract) return isNextOf(graph_[n].child[0], x, depth);
     if (graph_[n].op != Op::Ite || depth == 0) return false;
     const auto isArm = [&](std::size_t i) {

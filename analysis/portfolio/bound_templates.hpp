@@ -15,6 +15,13 @@ namespace rungproof {
 /// out, for steps that their own timers end; it comes last, since the most bounds are looked for.
 enum class BoundScope : std::uint8_t { Few, Stops, All, Pending };
 
+/// The word below widenings.
+inline Node withoutExtension(const Graph& graph, Node n) {
+  while (graph[n].op == Op::Zext || graph[n].op == Op::Sext) n = graph[n].child[0];
+  return n;
+}
+inline bool isOrder(Op op) { return op == Op::Ult || op == Op::Ule || op == Op::Slt || op == Op::Sle; }
+
 /// A state word that counts: what is compared of it is a Summand (certificate.hpp), with the node of the increment. Of
 /// a word that counts down, as the rest of a timer does, it is the complement, which counts up.
 struct CountingWord {

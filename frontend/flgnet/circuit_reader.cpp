@@ -22,7 +22,9 @@ constexpr XmlShape circuitShapes[] = {
     {"LabelDeclaration", "UId", "Label Comment"},
     {"Label", "Name UId", ""},
     {"Parts", "", "Access Part Call"},
-    {"Access", "UId Type Scope:LocalVariable|GlobalVariable|LiteralConstant|TypedConstant|LocalConstant|Address|Label",
+    {"Access",
+     "UId Type "
+     "Scope:LocalVariable|GlobalVariable|LiteralConstant|TypedConstant|LocalConstant|GlobalConstant|Address|Label",
      "Symbol Constant Address Label Comment"},
     {"Symbol", "UId", "Component Address"},
     {"Component", "Name UId AccessModifier:None|Array SimpleAccessModifier:None SliceAccessModifier:undef", "Access"},
@@ -135,6 +137,11 @@ class CircuitReader {
       operand.emplace();
       operand->form = step7::OperandForm::Local;
       operand->path.push_back({constant.attribute("Name").value(), {}, span});
+      operand->span = span;
+    } else if (scope == "GlobalConstant" && constant) {
+      operand.emplace();
+      operand->form = step7::OperandForm::Symbol;
+      operand->name = constant.attribute("Name").value();
       operand->span = span;
     } else if (constant) {
       operand = constantFrom(trimmed(childNamed(constant, "ConstantType").child_value()),

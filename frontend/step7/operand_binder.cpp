@@ -313,8 +313,15 @@ BoundOperand OperandBinder::symbol(const Operand& operand, BlockScope& scope) {
                      fmt::format("nothing defines the data block \"{}\"", operand.name), blockHelp);
     return dataField(operand, *key);
   }
-  if (const SymbolRow* row = catalogue_.symbol(operand.name);
-      row != nullptr && row->address.form == OperandForm::Address) {
+  const SymbolRow* row = catalogue_.symbol(operand.name);
+  if (row != nullptr && row->address.form == OperandForm::Constant) {
+    Field field;
+    field.name = row->name.text;
+    field.type = s7300::typeNamed(row->type).value_or(s7300::Type{});
+    field.initial = {row->address.constant};
+    return constantField(operand, field);
+  }
+  if (row != nullptr && row->address.form == OperandForm::Address) {
     BoundOperand result = address(row->address, scope);
     if (operand.isPeripheral) {
       const Area area = result.operand.area;

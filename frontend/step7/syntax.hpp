@@ -167,7 +167,7 @@ struct SourceSyntax {
 /// A row of a symbol table: a name for an address or a block.
 struct SymbolRow {
   Name name;
-  Operand address;   ///< Address or Block
+  Operand address;   ///< Address, Block, or Constant
   std::string type;  ///< as written, without double blanks: "BOOL", "FB 1"
   std::string comment;
 };

@@ -102,5 +102,18 @@ TEST(DateFunctions, TheClockRuns) {
   EXPECT_TRUE(rows[9].ends_with(",1,0,0,19,1,1130,1,1")) << rows[9];  // 1 June, 130 ms, a Sunday
 }
 
+// Two programs stand beside one clock: the minute that SFC 1 gives goes to QB4 in both, whatever else is worded anew.
+TEST(DateFunctions, BothProgramsOfAComparisonSeeOneClock) {
+  const test::TemporaryFolder folder;
+  const std::string clock = moments("DT#1990-1-1-0:0:0.0", "DT#1990-1-1-0:0:0.0") +
+                            "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nCALL SFC 1 "
+                            "(RET_VAL := MW 82, CDT := DB5.c); L DB5.DBB 20; T QB 4;\nNETWORK\n";
+  folder.file("old.awl", clock + "A I 0.0; = Q 0.0;\nEND_ORGANIZATION_BLOCK\n");
+  folder.file("new.awl", clock + "O I 0.0; = Q 0.0;\nEND_ORGANIZATION_BLOCK\n");
+  const test7::Output output = test7::run({"equiv", folder.path("old.awl"), folder.path("new.awl")});
+  EXPECT_TRUE(output.has("EQUAL")) << output.text;
+  EXPECT_EQ(output.exit, 0) << output.text;
+}
+
 }  // namespace
 }  // namespace rungproof

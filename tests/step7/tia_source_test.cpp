@@ -55,5 +55,61 @@ TEST(TiaSource, ModulesBehindAddresses) {
         << wrong;
 }
 
+/// A table of tags with constants: each a name, a type and a value.
+std::string tableOf(const std::vector<std::array<std::string, 3>>& constants) {
+  std::string text = "<Document><SW.Tags.PlcTagTable ID=\"0\"><ObjectList>";
+  for (const auto& [name, type, value] : constants)
+    text += "<SW.Tags.PlcUserConstant ID=\"1\"><AttributeList><DataTypeName>" + type + "</DataTypeName><Name>" + name +
+            "</Name><Value>" + value + "</Value></AttributeList></SW.Tags.PlcUserConstant>";
+  return text + "</ObjectList></SW.Tags.PlcTagTable></Document>";
+}
+
+// User constants of a table of tags are values: 1200, -1 in the 32 bits of a DINT, 2.5 as 16#40200000.
+TEST(TiaSource, ConstantsOfTagTables) {
+  const test::TemporaryFolder folder;
+  folder.file("main.awl", test7::block(1, "L \"MaxSpeed\";T MW 0;L \"Back\";T MD 2;L \"Ratio\";T MD 6"));
+  folder.file(
+      "tags.xml",
+      tableOf({{"MaxSpeed", "Int", "1200"}, {"Back", "DInt", "-1"}, {"Ratio", "Real", "2.5"}, {"On", "Bool", "true"}}));
+  const test7::Output run =
+      test7::run({"sim", folder.path(""), "--scans", "1", "--signals", "MW0,MD2,MD6", "--trace", "-"});
+  EXPECT_TRUE(run.has("1,10,10,1200,-1,1075838976")) << run.text;
+  folder.file("tags.xml", tableOf({{"MaxSpeed", "Int", "fast"}, {"Back", "DInt", "-1"}, {"Ratio", "Real", "2.5"}}));
+  const test7::Output wrong = test7::run({"lint", folder.path("")});
+  EXPECT_TRUE(wrong.has("constant MaxSpeed has the value fast, which no S7-300/400 has")) << wrong.text;
+  folder.file("tags.xml", tableOf({{"MaxSpeed", "Int", "70000"}, {"Back", "DInt", "-1"}, {"Ratio", "Real", "2.5"}}));
+  const test7::Output large = test7::run({"lint", folder.path("")});
+  EXPECT_TRUE(large.has("the constant MaxSpeed has no value of its type")) << large.text;
+}
+
+// The same drawn: a constant of the block, 100, and one of the table go to MW10 and MW12.
+TEST(TiaSource, ConstantsInDrawnNetworks) {
+  const auto move = [](const std::string& constant, int bit) {
+    return "<SW.Blocks.CompileUnit ID=\"" + std::to_string(bit) +
+           "\"><AttributeList><NetworkSource><FlgNet><Parts><Access Scope=\"" + constant +
+           "</Access><Access Scope=\"Address\" UId=\"22\"><Address Area=\"Memory\" Type=\"Int\" BitOffset=\"" +
+           std::to_string(bit) +
+           "\"/></Access><Part Name=\"Move\" UId=\"23\"><TemplateValue Name=\"Card\" "
+           "Type=\"Cardinality\">1</TemplateValue></Part></Parts><Wires><Wire><OpenCon UId=\"24\"/><NameCon "
+           "UId=\"23\" Name=\"en\"/></Wire><Wire><IdentCon UId=\"21\"/><NameCon UId=\"23\" Name=\"in\"/></Wire><Wire>"
+           "<NameCon UId=\"23\" Name=\"out1\"/><IdentCon UId=\"22\"/></Wire></Wires></FlgNet></NetworkSource>"
+           "<ProgrammingLanguage>FBD</ProgrammingLanguage></AttributeList></SW.Blocks.CompileUnit>";
+  };
+  const test::TemporaryFolder folder;
+  folder.file("f.xml",
+              "<Document><SW.Blocks.FC ID=\"0\"><AttributeList><Interface><Sections><Section Name=\"Constant\"><Member "
+              "Name=\"MAX\" Datatype=\"Int\"><StartValue>100</StartValue></Member></Section></Sections></Interface>"
+              "<Name>F</Name><Number>1</Number><ProgrammingLanguage>FBD</ProgrammingLanguage></AttributeList>"
+              "<ObjectList>" +
+                  move("LocalConstant\" UId=\"21\"><Constant Name=\"MAX\"/>", 80) +
+                  move("GlobalConstant\" UId=\"21\"><Constant Name=\"MaxSpeed\"/>", 96) +
+                  "</ObjectList></SW.Blocks.FC></Document>");
+  folder.file("tags.xml", tableOf({{"MaxSpeed", "Int", "1200"}}));
+  folder.file("main.awl", test7::block(1, "CALL \"F\""));
+  const test7::Output run =
+      test7::run({"sim", folder.path(""), "--scans", "1", "--signals", "MW10,MW12", "--trace", "-"});
+  EXPECT_TRUE(run.has("1,10,10,100,1200")) << run.text;
+}
+
 }  // namespace
 }  // namespace rungproof
