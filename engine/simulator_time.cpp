@@ -1,5 +1,6 @@
 // What happens at instruction boundaries: the 1 ms clock, the watchdog, and the devices that instructions set going;
 // interrupts: simulator_events.cpp. Instruction times: Appendix F (001:14522-14646); watchdog: 001:5697-5722.
+// Tested by tests/engine.
 #include <algorithm>
 #include <utility>
 
@@ -16,6 +17,10 @@ constexpr std::uint32_t unlistedTime = 100;  // instructions whose time the text
 /// 0.1 us for any statement of an S7-300/400, of which the course documents give no times: that of bit logic on a
 /// CPU 315 (general knowledge). Loops end by it, and nothing else depends on it.
 constexpr std::uint32_t step7Time = 10;
+/// No scan lasts longer, however often WDR or SFC 43 restarts the watchdog: 5 s on an S7-200 SMART. The manuals of the
+/// others state no limit; those of the S7-200 say that timers count wrong from 25 s on (001:5708), so a run ends there.
+constexpr std::uint64_t longestScanOfSmart = 5000;  // ms
+constexpr std::uint64_t longestScan = 25000;        // ms
 
 }  // namespace
 
@@ -140,7 +145,11 @@ void Simulator::checkWatchdog() {
   raise(event);
 }
 
-bool Simulator::isInTime(std::uint64_t position) const { return position - watchdogFrom_ <= watchdogTime(); }
+bool Simulator::isInTime(std::uint64_t position) const {
+  const bool isShort = !plan_.isStep7() && isSmart(plan_.program->target);
+  const std::uint64_t limit = (isShort ? longestScanOfSmart : longestScan) * Cost::perMs;
+  return position - watchdogFrom_ <= watchdogTime() && position <= limit;
+}
 
 /// 10 ns.
 std::uint64_t Simulator::watchdogTime() const {

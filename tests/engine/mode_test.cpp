@@ -140,6 +140,28 @@ TEST(Watchdog, RestartKeepsALongScanAlive) {
   EXPECT_EQ(with.get("SMW22"), static_cast<std::int64_t>(with.simulator->lastScanUs() / 1000));
 }
 
+// Restarts end: at 5 s on an S7-200 SMART whatever WDR does; no manual of the S7-200 states a limit, 25 s is ours.
+TEST(Watchdog, RestartsOfAnEndlessLoopEnd) {
+  const auto lengthOf = [](const std::string& text, Target target) {
+    Rig rig(text, {}, target);
+    rig.scans(1);
+    EXPECT_NE(rig.simulator->errors().fatal(), nullptr) << text;
+    EXPECT_FALSE(rig.simulator->isRunning());
+    return rig.simulator->lastScanUs();
+  };
+  const Cpu smart = *cpuNamed("ST40");
+  const std::string byJump = "LBL 1\nLD SM0.0\nWDR\nINCW VW0\nLDN M0.0\nJMP 1\n";
+  const std::string byRoutine = "LBL 1\nLD SM0.0\nCALL SBR0\nLDN M0.0\nJMP 1\nEND_ORGANIZATION_BLOCK\n"
+                                "SUBROUTINE_BLOCK SBR0:SBR0\nBEGIN\nNETWORK 1\nLD SM0.0\nWDR\n"
+                                "END_SUBROUTINE_BLOCK\n";
+  for (const auto& [target, us] : {std::pair{Target(smart, usualEdition(smart)), 5'000'000U}, {Target(), 25'000'000U}}) {
+    EXPECT_GE(lengthOf(byJump, target), us);
+    EXPECT_LE(lengthOf(byJump, target), us + 2000);
+  }
+  const std::string whole = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNETWORK 1\n" + byRoutine;
+  EXPECT_LE(lengthOf(whole, Target(smart, usualEdition(smart))), 5'002'000U);
+}
+
 TEST(RunTimeError, BadPointerIsReportedOnceWithItsPlace) {
   Rig rig("LD SM0.0\nMOVD 16#FF000000, VD0\nMOVB *VD0, VB10\n");
   rig.scans(3);
