@@ -19,6 +19,8 @@ constexpr std::size_t trialSteps = 3000;        ///< instructions of a routine, 
 constexpr int trialLoops = 40;                  ///< rounds of a loop
 constexpr std::size_t mostRoutinesPaired = 12;  ///< more are not tried in both orders
 constexpr std::size_t mostConstantsTried = 12;
+/// Z3 looks at no clock while it takes conditions in, and that of one SCAT took it minutes.
+constexpr std::size_t mostNodesTried = 20'000;
 constexpr int samples = 300;                            ///< random states that weed out bounds
 constexpr unsigned proofLimit = 400;                    ///< ms of one proof
 constexpr std::chrono::milliseconds searchLimit{3000};  ///< for all proofs
@@ -204,9 +206,11 @@ void RoutineEffects::findBounds(Trial& trial) {
       roots.push_back(run.back().second);
     }
   }
+  const std::vector<Node> cone = coneOf(graph, roots);
+  if (cone.size() > mostNodesTried) return;  // no bounds: what is written may become anything
   std::map<int, std::set<std::uint64_t>> constants;  // by width
   std::vector<Node> variables;
-  for (const Node n : coneOf(graph, roots)) {
+  for (const Node n : cone) {
     if (graph[n].op == Op::Variable) variables.push_back(n);
     if (graph[n].op == Op::Constant) constants[graph[n].width].insert(graph[n].value);
   }
