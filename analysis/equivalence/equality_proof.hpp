@@ -3,7 +3,8 @@
 // then all of them are equal in every scan. On that rests the certificate of each output: in the system in which one
 // state stands for each pair, the output never differs. Where outputs depend on devices, which are one and the same for
 // both programs there, one more for each request says that both ask the same. What is asked is asked of the encodings
-// along the trails of the simplified ones (encoding/trail.hpp), so that no simplification need be believed. Tested by
+// along the trails of the simplified ones (encoding/trail.hpp): values that were simplified need not be believed. The
+// decisions of the trails are: known conditions, targets of pointers, effects of interrupt routines. Tested by
 // tests/equivalence/certificates_test.cpp.
 #pragma once
 
