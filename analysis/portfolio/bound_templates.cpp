@@ -64,7 +64,7 @@ class TemplateSearch {
         }
       }
     }
-    if (templates_.size() > schedule::templateLimit) templates_.resize(schedule::templateLimit);
+    cutToLimit();
     return {std::move(words_), std::move(templates_), std::move(rates_)};
   }
 
@@ -95,6 +95,15 @@ class TemplateSearch {
       }
     }
     return found;
+  }
+
+  /// A rate without a template has no difference to tell of: nobody makes bits of it.
+  void cutToLimit() {
+    if (templates_.size() <= schedule::templateLimit) return;
+    templates_.resize(schedule::templateLimit);
+    std::set<Node> kept;
+    for (const BoundTemplate& t : templates_) kept.insert(t.difference);
+    std::erase_if(rates_, [&](const Rate& rate) { return !kept.contains(rate.difference); });
   }
 
   bool isNear() const { return scope_ == BoundScope::Few || scope_ == BoundScope::Stops; }

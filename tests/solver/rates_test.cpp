@@ -3,6 +3,7 @@
 
 #include "analysis/portfolio/invariants_bounds.hpp"
 #include "analysis/portfolio/portfolio.hpp"
+#include "analysis/schedule/schedule.hpp"
 #include "families.hpp"
 
 namespace rungproof {
@@ -93,6 +94,33 @@ TEST(Rates, WordsThatCountDown) {
   f.ask("still up", f.both(f.atLeast(rest, 700), isDown));
   f.ask("still up at first", f.both(f.atLeast(rest, 650), isDown));
   EXPECT_EQ(answersOf(f), (std::vector{Answer::Proved, Answer::Violated}));
+}
+
+/// Many clocks against one word: more templates than are looked for.
+TEST(Rates, NoneIsLeftWithoutATemplate) {
+  CountedScans f;
+  Node anyLate = f.no(f.on);
+  for (int i = 0; i < 60; ++i) {
+    const std::uint64_t cap = 100 + static_cast<std::uint64_t>(i);
+    const Node clock = f.state("clock" + std::to_string(i), 13);
+    const Node later =
+        f.graph->make(Op::Add, 14, f.graph->make(Op::Zext, 14, clock), f.graph->make(Op::Zext, 14, f.length));
+    const Node capped = f.graph->make(Op::Extract, 13, f.choose(f.atLeast(later, cap), f.number(cap, 14), later));
+    f.next(clock, f.choose(f.on, capped, f.number(0, 13)));
+    const Node flag = f.state("M" + std::to_string(i));
+    f.next(flag, f.both(f.on, f.atLeast(clock, cap)));
+    anyLate = f.both(anyLate, f.both(flag, f.no(f.atLeast(f.word, 2))));
+  }
+  f.ask("late", anyLate);
+  BitBlast blast(f.system, {0});
+  const BoundTemplates found = boundTemplates(f.system, blast, {}, 7, BoundScope::Few, Budget::seconds(60));
+  ASSERT_EQ(found.templates.size(), schedule::templateLimit);
+  EXPECT_FALSE(found.rates.empty());
+  EXPECT_LT(found.rates.size(), 2U * 61);  // ahead and behind of each clock, of which the last have no template left
+  for (const Rate& rate : found.rates) {
+    EXPECT_TRUE(std::ranges::any_of(found.templates,
+                                    [&](const BoundTemplate& t) { return t.difference == rate.difference; }));
+  }
 }
 
 TEST(Rates, NothingWhereAScanMayLastAnyTime) {
