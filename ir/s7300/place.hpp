@@ -135,6 +135,7 @@ class Step7Places {
   /// Decodes a location; false if no access of that width may reach it, with the error.
   bool decode(std::uint64_t location, Width width, Area& area, std::uint32_t& offset, std::uint32_t& bit,
               Hazard& error) const;
+  void meetErrorsAt(Bits location, Width width);
   Bits loadPlace(Area area, std::uint32_t offset, std::uint32_t bit, Width width);
   void savePlace(Area area, std::uint32_t offset, std::uint32_t bit, Width width, Bits value);
   Bool answersNot(std::uint32_t offset);
@@ -290,6 +291,7 @@ Spot<D> Step7Places<D>::at(Bits location, Width width) {
     const bool isComplete = values.has_value();
     if (!isComplete) values = d_.locationsInBlock(m_, location, width);
     if (!values) {
+      meetErrorsAt(location, width);
       spot.isUnresolved = true;
       return spot;
     }
@@ -311,6 +313,46 @@ Spot<D> Step7Places<D>::at(Bits location, Width width) {
     }
   }
   return spot;
+}
+
+/// What decode() says, of a place that can be too many to be listed: which access is an error is exact, only what
+/// stands there is not known.
+template <class D>
+void Step7Places<D>::meetErrorsAt(Bits location, Width width) {
+  const Bits code = d_.extract(location, 47, 40), block = d_.extract(location, 39, 24), bit = d_.extract(location, 23, 0);
+  const Bool isBit = d_.constant(width == Width::Bit);
+  const Bool isWhole = d_.lor(isBit, d_.equal(d_.extract(bit, 2, 0), number(0, 3), 3));
+  const auto isIn = [&](Area area) { return d_.equal(code, number(static_cast<std::uint64_t>(area), 8), 8); };
+  // The access begins in front of the first bit address at which it would pass the end.
+  const auto fits = [&](std::uint32_t length) {
+    const auto own = static_cast<std::uint32_t>(bytes(width));
+    if (length < own) return d_.constant(false);
+    const std::uint64_t end = (static_cast<std::uint64_t>(length) - own + 1) * 8;
+    return end > 0xFFFFFF ? d_.constant(true) : d_.ult(bit, number(end, 24), 24);
+  };
+  Bool reaches = d_.constant(false), isLoaded = d_.constant(false);
+  for (std::uint32_t i = 0; i < areaCount; ++i) {
+    const auto area = static_cast<Area>(i);
+    if (area == Area::DB) continue;
+    const Bool here = isIn(area);
+    if (const auto known = d_.truth(here); known && !*known) continue;
+    reaches = d_.lor(reaches, d_.land(here, fits(area == Area::L ? m_.plan.localBytes : m_.areaSize(area))));
+  }
+  const Bool isData = isIn(Area::DB);
+  const auto data = d_.truth(isData);
+  for (std::uint32_t n = 0; (!data || *data) && n <= lastDataBlock; ++n) {
+    if (loadedLength(n) == 0) continue;
+    const Bool here = d_.land(isData, d_.equal(block, number(n, 16), 16));
+    isLoaded = d_.lor(isLoaded, here);
+    reaches = d_.lor(reaches, d_.land(here, fits(loadedLength(n))));
+  }
+  const Bool isArea = d_.ult(code, number(areaCount, 8), 8);
+  const Bool isMissing = d_.land(isData, d_.lnot(isLoaded));
+  m_.error(Hazard::S7AreaUnknown, d_.lnot(isArea));
+  m_.error(Hazard::S7Alignment, d_.land(isArea, d_.lnot(isWhole)));
+  m_.error(Hazard::S7BlockMissing, d_.land(isWhole, isMissing));
+  m_.error(Hazard::S7AreaLength,
+           d_.land(d_.land(isArea, isWhole), d_.land(d_.lnot(isMissing), d_.lnot(reaches))));
 }
 
 /// Whether the module does not answer, which calls OB122 (002:1292). Without OB122 all of them do.
