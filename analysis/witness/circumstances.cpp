@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "analysis/schedule/schedule.hpp"
+#include "ir/s7200/isa/hsc.hpp"
 #include "ir/s7200/special_memory.hpp"
 #include "ir/s7300/clock_memory.hpp"
 
@@ -54,6 +55,37 @@ std::string clockText(std::uint64_t phase, std::uint64_t period, const std::stri
   return fmt::format("{} starts {} ms into its period of {} ms, first off, then on", bit, phase, period);
 }
 
+/// Devices whose values the encoding leaves open although the machine narrows them; nothing for what is an input anyway.
+std::string_view anyValueOf(External kind) {
+  switch (kind) {
+    case External::IntervalClock:
+      return "interval clock = any value at each read: how much time has passed is not followed";
+    case External::ClockByte: return "clock = any time at each read: how much time has passed is not followed";
+    case External::CalendarDay:
+    case External::TimeOfDay:
+      return "date and time = any value at each read: how much time has passed is not followed";
+    default: return {};
+  }
+}
+
+std::vector<std::string> anyValuesOf(const EncodedScan& scan, const std::unordered_set<std::uint32_t>& variables) {
+  std::vector<std::string> texts;
+  const auto add = [&](std::string text) {
+    if (!text.empty() && std::ranges::find(texts, text) == texts.end()) texts.push_back(std::move(text));
+  };
+  for (const Cell& cell : scan.cells()) {
+    const bool isCount = cell.place.isRegister && cell.place.reg == Reg::HscCurrent;
+    if (!isCount || cell.kind != CellKind::Input || !variables.contains(indexOf(cell.start))) continue;
+    const std::uint32_t counter = cell.place.at;
+    add(fmt::format("HC{} = any value after HDEF {}: pulses, and whether SM{}.7 lets it count, are not followed", counter,
+                    counter, isa::hscControl[counter]));
+  }
+  for (const ExternalInput& e : scan.externals()) {
+    if (e.node != noNode && variables.contains(indexOf(e.node))) add(std::string(anyValueOf(e.site.kind)));
+  }
+  return texts;
+}
+
 }  // namespace
 
 Circumstances circumstancesOf(const EncodedScan& scan, const std::unordered_set<std::uint32_t>& variables) {
@@ -71,6 +103,7 @@ Circumstances circumstancesOf(const EncodedScan& scan, const std::unordered_set<
   const bool readsAnalog = std::ranges::any_of(
       scan.analogInputs(), [&](const auto& input) { return variables.contains(indexOf(input.second)); });
   if (readsAnalog) add(Choice::AnalogSampling);
+  result.anyValues = anyValuesOf(scan, variables);
   result.mayStop = scan.graph().truth({scan.halted()}) != std::optional(false);
   return result;
 }
@@ -89,6 +122,7 @@ std::vector<std::string> assumptionsOf(const Circumstances& circumstances, const
                                        const Target& target) {
   std::vector<std::string> texts;
   for (const Choice choice : circumstances.fixed) texts.push_back(named(choice, choices[choice]));
+  texts.insert(texts.end(), circumstances.anyValues.begin(), circumstances.anyValues.end());
   if (circumstances.mayStop)
     texts.emplace_back(
         isStep7(target)

@@ -17,6 +17,7 @@ struct Circumstances {
   std::vector<Choice> fixed;  ///< chosen by the user, or facts of the plant
   std::vector<Choice> open;   ///< covered in all their readings
   bool mayStop = false;       ///< STOP or a fatal error can end the run
+  std::vector<std::string> anyValues;  ///< of devices: "HC1 = any value: ..."
 };
 
 /// Of a question that depends on those variables of the encoding, through any number of scans. Fixed readings are seen
@@ -25,7 +26,8 @@ Circumstances circumstancesOf(const EncodedScan& scan, const std::unordered_set<
 /// The fixed readings that some instruction of the program asks for.
 std::vector<Choice> fixedReadingsOf(const EncodedScan& scan);
 
-/// "inactive-scr = skipped", one text for each fixed choice; what is not asked where the CPU stops.
+/// "inactive-scr = skipped", one text for each fixed choice; devices that give any value; what is not asked where the
+/// CPU stops.
 std::vector<std::string> assumptionsOf(const Circumstances& circumstances, const Choices& choices,
                                        const Target& target);
 

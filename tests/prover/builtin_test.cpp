@@ -1,7 +1,10 @@
 // The built-in checks on programs made so that each answer is known beforehand.
+#include <algorithm>
 #include <set>
 
+#include "analysis/proof/question_system.hpp"
 #include "proved_text.hpp"
+#include "tests/corpus/corpus_program.hpp"
 
 namespace rungproof::test {
 namespace {
@@ -309,6 +312,141 @@ TEST(Builtin, LoopBeyondTheLimitLeavesProofsOpen) {
   EXPECT_EQ(outcomeOf(run, "not early"), Outcome::Proved);
   EXPECT_EQ(outcomeOf(run, "not late"), Outcome::NotCovered);
   EXPECT_EQ(outcomeOf(run, "anew"), Outcome::Proved);
+}
+
+/// OB1 that reads a word of the open block at AR1, which the statements set.
+ProofRun readAtPointer(const std::string& statements, const std::string& blocks) {
+  const ProgramInput input = inputOfSource(blocks + "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n" + statements +
+                                           "\nEND_ORGANIZATION_BLOCK\n");
+  ProverOptions options = usualOptions(10);
+  options.time.high = 150;
+  options.checks.builtin = true;
+  return prove(input.program, input.properties, options);
+}
+std::string dataOf(int number, int words) {
+  return "DATA_BLOCK DB " + std::to_string(number) + "\nSTRUCT\n  a : ARRAY [0 .. " + std::to_string(words - 1) +
+         "] OF WORD;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
+}
+
+/// What a pointer finds in a long block may be any value; whether it leaves the block is asked all the same. IW4 words
+/// of 2 bytes reach 65,534 bytes, one byte of them 510.
+TEST(Builtin, PointersIntoLongDataBlocksAreAsked) {
+  const Rules stops{"OBL002"};
+  const std::string leaves = "access leaves", word = "OPN DB 20;\nL IW 4;\nL 16;\n*I;\nLAR1;\n",
+                    byte = "OPN DB 20;\nL IB 4;\nL 16;\n*I;\nLAR1;\n";
+  for (const int words : {256, 257, 500, 3000}) {
+    const std::string blocks = dataOf(20, words);
+    EXPECT_EQ(outcomes(readAtPointer(word + "L DBW [AR1,P#0.0];\nT MW 10;", blocks), stops, leaves),
+              Outcomes{Outcome::Violated})
+        << words;
+    EXPECT_EQ(outcomes(readAtPointer(word + "L 7;\nT DBW [AR1,P#0.0];", blocks), stops, leaves),
+              Outcomes{Outcome::Violated})
+        << words;
+  }
+  // A limit of 499 words keeps the pointer within 500 words and not within 499.
+  const std::string limited =
+      "OPN DB 20;\nL IW 4;\nL 0;\n<I;\nJC e;\nL IW 4;\nL 499;\n>I;\nJC e;\nL IW 4;\nL 16;\n*I;\nLAR1;\n"
+      "L DBW [AR1,P#0.0];\nT MW 10;\ne: NOP 0;";
+  for (const Outcome outcome : outcomes(readAtPointer(limited, dataOf(20, 500)), stops))
+    EXPECT_EQ(outcome, Outcome::Proved);
+  EXPECT_EQ(outcomes(readAtPointer(limited, dataOf(20, 499)), stops, leaves), Outcomes{Outcome::Violated});
+  // An address that is no whole byte; a pointer across areas; an area of the CPU.
+  EXPECT_EQ(outcomes(readAtPointer("OPN DB 20;\nL ID 4;\nLAR1;\nL DBW [AR1,P#0.0];\nT MW 10;", dataOf(20, 500)), stops,
+                     "bit part"),
+            Outcomes{Outcome::Violated});
+  EXPECT_EQ(outcomes(readAtPointer("OPN DB 20;\nL ID 4;\nLAR1;\nL W [AR1,P#0.0];\nT MW 10;", dataOf(20, 500)), stops,
+                     "names an area"),
+            Outcomes{Outcome::Violated});
+  EXPECT_EQ(outcomes(readAtPointer("L ID 4;\nLAR1;\nL MW [AR1,P#0.0];\nT MW 10;", ""), stops, leaves),
+            Outcomes{Outcome::Violated});
+}
+
+/// HC1 may be above 100 once HSC has enabled it; with bit 7 of SMB47 off it does not count (001:4302), which is not
+/// followed, and the verdict says so. What does not depend on the counter says nothing of it.
+TEST(Builtin, FastCountersOfAnyValueAreNamed) {
+  const ProgramInput input =
+      inputOf("//@ prove still: never Q0.0\n//@ prove other: I0.7 implies Q0.1\n",
+              "Network 1\nLD SM0.1\nMOVB 16#40, SMB47\nMOVD 0, SMD48\nHDEF 1, 0\nHSC 1\nNetwork 2\n"
+              "LDD> HC1, 100\n= Q0.0\nNetwork 3\nLD I0.7\n= Q0.1\n");
+  const ProofRun run = prove(input.program, input.properties, usualOptions());
+  const auto names = [&](const std::string& property) {
+    const ProofResult* result = resultNamed(run, property);
+    if (result == nullptr) return std::ptrdiff_t{-1};
+    return std::ranges::count_if(result->assumptions, [](const std::string& text) {
+      return text.find("HC1 = any value") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(names("still"), 1);
+  EXPECT_EQ(names("other"), 0);
+}
+
+/// Mode 12 counts the pulses of Q0.0 (001:4237): without PLS there are none.
+TEST(Builtin, FastCounterOfPulsesNeedsPulses) {
+  const auto stays = [](const std::string& pulses) {
+    const ProgramInput input =
+        inputOf("//@ prove still: never Q0.1\n",
+                "Network 1\nLD SM0.1\nMOVB 16#F8, SMB37\nMOVD 0, SMD38\nHDEF 0, 12\nHSC 0\n" + pulses +
+                    "Network 2\nLDD> HC0, 100\n= Q0.1\n");
+    return outcomeOf(prove(input.program, input.properties, usualOptions()), "still");
+  };
+  EXPECT_EQ(stays(""), Outcome::Proved);
+  EXPECT_EQ(stays("MOVB 16#8D, SMB67\nMOVW 500, SMW68\nMOVD 400, SMD72\nPLS 0\n"), Outcome::Violated);
+}
+
+/// Hazards that the encoding has met, by place, against the questions that are asked: none is dropped on the way. Where
+/// a pointer leads is not always found; that it may lead out of its area is met there all the same.
+void expectThatEveryHazardIsAsked(const Program& program, const PropertySet& set, const ProverOptions& given,
+                                  const std::string& name) {
+  CheckGroups groups;
+  groups.builtin = true;
+  QuestionSystem system(program, set, {}, encoderOptionsOf(given), groups);
+  std::multiset<const Instruction*> asked;
+  for (const RuleQuestion& question : system.checks()) asked.insert(question.place);
+  const auto isAsked = [&](Hazard hazard) {
+    return std::ranges::any_of(groups.rules, [&](const Rule* rule) {
+      return groups.has(*rule) && knows(*rule, program.target) &&
+             std::ranges::find(rule->ask.hazards, hazard) != rule->ask.hazards.end();
+    });
+  };
+  std::set<std::pair<const Instruction*, Hazard>> met;
+  std::set<const Instruction*> withHazard;
+  for (const HazardRecord& record : system.askedProperties().encoding().hazards()) {
+    if (record.place == nullptr) continue;
+    withHazard.insert(record.place);
+    if (isAsked(record.hazard)) met.emplace(record.place, record.hazard);
+  }
+  for (const auto& [place, hazard] : met) {
+    const auto wanted =
+        std::ranges::count_if(met, [place = place](const auto& other) { return other.first == place; });
+    EXPECT_GE(static_cast<std::ptrdiff_t>(asked.count(place)), wanted) << name << ": " << hazardInfo(hazard).text;
+  }
+  for (const Approximation& approximation : system.askedProperties().approximations()) {
+    if (approximation.reason != "pointer whose targets could not be found") continue;
+    EXPECT_TRUE(withHazard.contains(approximation.place)) << name << ": " << approximation.place->desc->stl;
+  }
+}
+
+TEST(Builtin, EveryHazardOfThePointerProgramsIsAsked) {
+  const std::string ring = "OPN DB 20;\nL IW 4;\nL 16;\n*I;\nLAR1;\nL ID 8;\nLAR2;\n";
+  for (const char* access : {"L DBW [AR1,P#0.0];", "T DBB [AR1,P#2.0];", "L W [AR1,P#0.0];", "T D [AR2,P#0.0];",
+                             "L MW [AR2,P#0.0];", "A DBX [AR2,P#0.0];", "= M [AR2,P#0.0];", "S [AR2,P#0.0];"}) {
+    const ProgramInput input =
+        inputOfSource(dataOf(20, 500) + "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n" + ring + access +
+                      "\nEND_ORGANIZATION_BLOCK\n");
+    expectThatEveryHazardIsAsked(input.program, input.properties, usualOptions(), access);
+  }
+}
+
+TEST(Builtin, EveryHazardOfTheCorpusIsAsked) {
+  int programs = 0;
+  for (const char* folder : {"s7300", "data", "interlocks"}) {
+    for (const std::filesystem::path& file : corpusFiles(folder)) {
+      const ProgramInput input = corpusInput(file);
+      expectThatEveryHazardIsAsked(input.program, input.properties, proverOptions(file), file.filename().string());
+      ++programs;
+    }
+  }
+  EXPECT_GE(programs, 30);
 }
 
 }  // namespace
