@@ -59,6 +59,18 @@ bool canCount(const Program& program, const CallContracts& hidden, std::uint32_t
 
 constexpr std::string_view unresolvedReason = "pointer whose targets could not be found";
 
+/// Whether a pointer of the instruction, wherever it leads, may lead into one of those areas.
+bool mayReach(const Instruction* instruction, std::initializer_list<Area> areas) {
+  bool isElsewhere = false;
+  for (const Operand& o : instruction == nullptr ? Operands() : instruction->operands) {
+    if (o.kind != OperandKind::Indirect || o.reach == nullptr) continue;
+    const bool isWithin = o.reach->way == Way::Pointer || o.reach->way == Way::Register;
+    if (!isWithin || std::ranges::find(areas, o.area) != areas.end()) return true;
+    isElsewhere = true;
+  }
+  return !isElsewhere;
+}
+
 /// Timers of an S7-300/400 count in ms.
 TimeRange timeOf(const Plan& plan, TimeRange range) {
   range.hasBases = range.hasBases || !plan.isStep7();
@@ -523,13 +535,33 @@ std::optional<std::vector<std::uint64_t>> ScanEncoding::locationsInBlock(Machine
   });
 }
 
+/// A module may be asked that does not answer, which calls OB122; a block may be written that is protected.
+void ScanEncoding::meetUnknownErrors(Machine<Graph>& machine, bool isWrite) {
+  if (!plan_.isStep7()) return;
+  const auto any = [&](const char* name) {
+    const Node node = input(name, 1);
+    approximate(machine.current, unresolvedReason).carriers.push_back(node);
+    return Graph::Bool{node};
+  };
+  if (plan_.block(accessErrorBlock) != nullptr && mayReach(machine.current, {Area::PI, Area::PQ}))
+    machine.accessError(any("module behind a pointer fails"));
+  if (!isWrite || !mayReach(machine.current, {Area::DB})) return;
+  for (std::uint32_t block = 0; block <= lastDataBlock; ++block) {
+    if (plan_.blocks->isReadOnly(block)) return machine.error(Hazard::S7WriteProtected, any("block is protected"));
+  }
+}
+
 Graph::Bits ScanEncoding::unresolved(Machine<Graph>& machine, int width) {
+  meetUnknownErrors(machine, false);
   Approximation& a = approximate(machine.current, unresolvedReason);
   a.carriers.push_back(input("value behind a pointer", width));
   return {a.carriers.back()};
 }
 
-void ScanEncoding::havoc(Machine<Graph>& machine) { havocBy(machine, approximate(machine.current, unresolvedReason)); }
+void ScanEncoding::havoc(Machine<Graph>& machine) {
+  meetUnknownErrors(machine, true);
+  havocBy(machine, approximate(machine.current, unresolvedReason));
+}
 
 void ScanEncoding::havocBy(const Machine<Graph>& machine, const Approximation& cause) {
   const std::size_t index = static_cast<std::size_t>(&cause - approximations.data());

@@ -116,6 +116,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
                                                              Width width) override;
   Graph::Bits unresolved(Machine<Graph>& machine, int width) override;
   void havoc(Machine<Graph>& machine) override;
+  void meetUnknownErrors(Machine<Graph>& machine, bool isWrite);
   void signalled(Signal which, std::uint32_t index, Graph::Bool guard) override;
   void havocBy(const Machine<Graph>& machine, const Approximation& cause);
 

@@ -361,6 +361,27 @@ TEST(Builtin, PointersIntoLongDataBlocksAreAsked) {
             Outcomes{Outcome::Violated});
 }
 
+/// A pointer across the modules may meet one that does not answer, and OB122 sets M0.0 then; one into protected blocks
+/// is asked. Within M there are no modules.
+TEST(Builtin, PointersToPlacesThatAreNotFoundMayFail) {
+  const std::string handler = "ORGANIZATION_BLOCK OB 122\nBEGIN\nNETWORK\nSET;\nS M 0.0;\nEND_ORGANIZATION_BLOCK\n";
+  const auto clean = [&](const std::string& access) {
+    const ProgramInput input =
+        inputOfSource(handler + "ORGANIZATION_BLOCK OB 1\n//@ prove clean: never M0.0\nBEGIN\nNETWORK\nL IW 4;\nL 64;\n"
+                      "*I;\nLAR1;\n" + access + "\nEND_ORGANIZATION_BLOCK\n");
+    return outcomeOf(prove(input.program, input.properties, usualOptions(5)), "clean");
+  };
+  EXPECT_NE(clean("L PIW [AR1,P#0.0];\nT MW 10;"), Outcome::Proved);
+  EXPECT_EQ(clean("L MW [AR1,P#0.0];\nT MW 10;"), Outcome::Proved);
+  std::string protectedData = dataOf(20, 3000);
+  protectedData.insert(protectedData.find("STRUCT"), "READ_ONLY\n");
+  const Outcomes asked = outcomes(readAtPointer("OPN DB 20;\nL IW 4;\nL 16;\n*I;\nLAR1;\nL 7;\nT DBW [AR1,P#0.0];",
+                                                protectedData),
+                                  Rules{"OBL002"}, "write-protected");
+  ASSERT_EQ(asked.size(), 1U);
+  EXPECT_NE(asked[0], Outcome::Proved);
+}
+
 /// HC1 may be above 100 once HSC has enabled it; with bit 7 of SMB47 off it does not count (001:4302), which is not
 /// followed, and the verdict says so. What does not depend on the counter says nothing of it.
 TEST(Builtin, FastCountersOfAnyValueAreNamed) {
