@@ -83,8 +83,23 @@ std::optional<BlockKey> BlockCatalogue::organizationBlockNamed(std::string_view 
   return row == usual.end() ? std::nullopt : std::optional(BlockKey{BlockKind::Ob, row->second});
 }
 
+/// Functions, function blocks and types without a number get one from the upper end, where no library and hardly an
+/// address reaches, in the order of their names, so that the order of files changes nothing. Data blocks get the lowest
+/// free number in the order of the files: their addresses name them in reports.
 void BlockCatalogue::addNamed(const std::vector<SourceSyntax>& sources, Reports& reports) {
+  std::map<std::pair<BlockKind, std::string>, std::uint32_t> fromTheEnd;
   std::map<BlockKind, std::uint32_t> next;
+  for (const SourceSyntax& source : sources) {
+    for (const BlockSyntax& block : source.blocks) {
+      if (block.name.kind || block.name.symbol.empty() || block.kind == BlockKind::Db) continue;
+      fromTheEnd.emplace(std::pair(block.kind, foldedName(block.name.symbol)), 0);
+    }
+  }
+  for (auto& [block, number] : fromTheEnd) {
+    do {
+      number = 0xFFFF - next[block.first]++;
+    } while (byKey_.contains({block.first, number}) || names_.contains({block.first, number}));
+  }
   for (const SourceSyntax& source : sources) {
     for (const BlockSyntax& block : source.blocks) {
       if (block.name.kind || block.name.symbol.empty()) continue;
@@ -103,6 +118,7 @@ void BlockCatalogue::addNamed(const std::vector<SourceSyntax>& sources, Reports&
                         block.name.symbol));
         continue;
       }
+      if (!key && block.kind != BlockKind::Db) key = BlockKey{block.kind, fromTheEnd.at({block.kind, folded})};
       while (!key) {
         const BlockKey candidate{block.kind, ++next[block.kind]};
         if (!byKey_.contains(candidate) && !names_.contains(candidate)) key = candidate;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "frontend/input/program_input.hpp"
 #include "ir/block_map.hpp"
@@ -200,6 +201,34 @@ TEST(Projects, TheDialectMayBeNamed) {
   EXPECT_EQ(show7(program.pous.at(0)), "A I0.0; = Q0.0");
   options.dialect = "s7-400";
   EXPECT_EQ(cpuName(readText("x.awl", "A I 0.0\n= Q 0.0\n", options).target.cpu), "417");
+}
+
+// A block without a number answers to no number that a program says: FC 1 is in no file here, so nothing is proved
+// beside its call (the block of the same kind without a number may be another one). DT_DAY and its like are FC 1 to FC 40.
+TEST(Projects, NumbersOfBlocksWithoutOneAreOutOfReach) {
+  const std::string motor = "FUNCTION \"Motor\" : VOID\nBEGIN\nNETWORK\nA I 0.0;\n= Q 0.0;\nEND_FUNCTION\n";
+  const std::string main = "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nUC FC 1;\nEND_ORGANIZATION_BLOCK\n";
+  const Program program = readText("x.awl", motor + main);
+  EXPECT_EQ(program.subroutine(blockNumber(BlockType::Fc, 1)), nullptr);
+  EXPECT_EQ(program.pous.size(), 2u);
+  const std::string functions = "FUNCTION \"A\" : VOID\nBEGIN\nEND_FUNCTION\n" +
+                                std::string("FUNCTION \"B\" : VOID\nBEGIN\nEND_FUNCTION\n");
+  for (int number = 1; number <= 40; ++number)
+    EXPECT_EQ(readText("x.awl", functions + main).subroutine(blockNumber(BlockType::Fc, number)), nullptr) << number;
+}
+
+// The order of the files decides no number: each name has the same one in both orders.
+TEST(Projects, TheOrderOfFilesChangesNoNumber) {
+  const test::TemporaryFolder folder;
+  const std::string a = folder.file("a.awl", "FUNCTION \"Motor\" : VOID\nBEGIN\nNETWORK\nSET;\nEND_FUNCTION\n");
+  const std::string b = folder.file("b.awl", "FUNCTION \"Pump\" : VOID\nBEGIN\nNETWORK\nCLR;\nEND_FUNCTION\n");
+  const auto numbers = [](const Program& program) {
+    std::map<std::string, int> result;
+    for (const Pou& pou : program.pous) result[pou.name] = pou.number;
+    return result;
+  };
+  EXPECT_EQ(numbers(readProgram({a, b})).size(), 2u);
+  EXPECT_EQ(numbers(readProgram({a, b})), numbers(readProgram({b, a})));
 }
 
 TEST(Projects, APlainDirectiveKeepsItsPlace) {
