@@ -204,15 +204,16 @@ TEST(Projects, TheDialectMayBeNamed) {
 }
 
 // A block without a number answers to no number that a program says: FC 1 is in no file here, so nothing is proved
-// beside its call (the block of the same kind without a number may be another one). DT_DAY and its like are FC 1 to FC 40.
+// beside its call (the block of the same kind without a number may be another one). DT_DAY and its like are FC 1 to
+// FC 40.
 TEST(Projects, NumbersOfBlocksWithoutOneAreOutOfReach) {
   const std::string motor = "FUNCTION \"Motor\" : VOID\nBEGIN\nNETWORK\nA I 0.0;\n= Q 0.0;\nEND_FUNCTION\n";
   const std::string main = "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nUC FC 1;\nEND_ORGANIZATION_BLOCK\n";
   const Program program = readText("x.awl", motor + main);
   EXPECT_EQ(program.subroutine(blockNumber(BlockType::Fc, 1)), nullptr);
   EXPECT_EQ(program.pous.size(), 2u);
-  const std::string functions = "FUNCTION \"A\" : VOID\nBEGIN\nEND_FUNCTION\n" +
-                                std::string("FUNCTION \"B\" : VOID\nBEGIN\nEND_FUNCTION\n");
+  const std::string functions =
+      "FUNCTION \"A\" : VOID\nBEGIN\nEND_FUNCTION\n" + std::string("FUNCTION \"B\" : VOID\nBEGIN\nEND_FUNCTION\n");
   for (int number = 1; number <= 40; ++number)
     EXPECT_EQ(readText("x.awl", functions + main).subroutine(blockNumber(BlockType::Fc, number)), nullptr) << number;
 }
