@@ -64,8 +64,9 @@ class Lexer {
 
   /// [2] or [1,-3] behind the name of an array.
   bool isIndex() const {
+    if (text_[at_] != '[') return false;  // before the search, which may go to the end of a long line
     const std::size_t end = text_.find(']', at_);
-    return text_[at_] == '[' && end != std::string_view::npos && end > at_ + 1 &&
+    return end != std::string_view::npos && end > at_ + 1 &&
            text_.substr(at_ + 1, end - at_ - 1).find_first_not_of("0123456789,- ") == std::string_view::npos;
   }
 
@@ -86,7 +87,9 @@ class Lexer {
     const std::string digits(text_.substr(start, at_ - start));
     if (const std::int64_t unit = unitHere(); unit != 0) {
       Token t = token(PropertyToken::Duration, start);
-      t.value = static_cast<std::int64_t>(std::strtod(digits.c_str(), nullptr) * static_cast<double>(unit) + 0.5);
+      const double milliseconds = std::strtod(digits.c_str(), nullptr) * static_cast<double>(unit);
+      t.isTooLarge = milliseconds > static_cast<double>(longestDuration);
+      t.value = t.isTooLarge ? longestDuration : static_cast<std::int64_t>(milliseconds + 0.5);
       return t;
     }
     if (at_ < text_.size() && (text_[at_] == 'e' || text_[at_] == 'E')) {

@@ -18,8 +18,11 @@ struct Token {
   std::int64_t value = 0;  ///< Number: value; Real: IEEE single pattern; Duration: ms
   bool isPattern = false;  ///< Number written as 16# or 2#: bits, not an amount
   Span span{};
-  bool isTooLarge = false;  ///< Number that 32 bits, signed or not, do not hold
+  bool isTooLarge = false;  ///< Number that 32 bits, signed or not, do not hold; Duration above longestDuration
 };
+
+/// In ms: a million hours, more than a hundred years.
+inline constexpr std::int64_t longestDuration = 3'600'000'000'000;
 
 /// Splits one statement; `offset` is the place of text[0] in the file. Anything unreadable is one Punctuation token.
 std::vector<Token> tokenize(std::string_view text, std::uint32_t file, std::uint32_t offset);

@@ -146,12 +146,13 @@ class Parser {
       expect("to");
       property.second = truth();
       expect("within");
-      const Token bound = take();
-      property.bound = bound.value;
+      const Token bound = peek();
       if (bound.kind == PropertyToken::Duration) {
         property.kind = PropertyKind::LeadsToTime;
+        property.bound = duration();
       } else if (bound.kind == PropertyToken::Number) {
         property.kind = PropertyKind::LeadsToScans;
+        property.bound = take().value;
         if (!accept("scans")) expect("scan");
       } else {
         throw Mistake{syntaxRule, bound.span, "'within' needs a number of scans or a time",
@@ -224,6 +225,9 @@ class Parser {
     if (t.kind != PropertyToken::Duration)
       throw Mistake{syntaxRule, t.span, fmt::format("a time is needed here, not '{}'", t.text),
                     "write a number with ms, s, min or h, such as 500ms or 2s"};
+    if (t.isTooLarge)
+      throw Mistake{syntaxRule, t.span, fmt::format("'{}' is longer than any machine runs", t.text),
+                    "times go up to 1000000h"};
     return t.value;
   }
 
@@ -254,13 +258,19 @@ class Parser {
     return at_ == 0 ? peek().span.offset : tokens_[at_ - 1].span.offset + tokens_[at_ - 1].span.length;
   }
 
+  /// `a implies b implies c` means a implies (b implies c). Without recursion: a chain has any length.
   std::uint32_t implies(Expr& e) {
-    const std::uint32_t begin = peek().span.offset;
-    const std::uint32_t left = disjunction(e);
-    const std::pair<std::uint32_t, std::uint32_t> place{begin, endOfLast()};
-    if (!accept("implies")) return left;
-    const std::uint32_t node = binary(e, ExprOp::Implies, left, implies(e));
-    premise_ = place;
+    std::vector<std::uint32_t> parts;
+    std::pair<std::uint32_t, std::uint32_t> outermost{};
+    for (;;) {
+      const std::uint32_t begin = peek().span.offset;
+      parts.push_back(disjunction(e));
+      if (parts.size() == 1) outermost = {begin, endOfLast()};
+      if (!accept("implies")) break;
+    }
+    std::uint32_t node = parts.back();
+    for (std::size_t i = parts.size() - 1; i-- > 0;) node = binary(e, ExprOp::Implies, parts[i], node);
+    if (parts.size() > 1) premise_ = outermost;
     return node;
   }
   std::uint32_t disjunction(Expr& e) {

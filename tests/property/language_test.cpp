@@ -195,5 +195,31 @@ TEST(PropertyLanguage, DeepNestingIsAMistakeNotACrash) {
   EXPECT_EQ(reading.findings[0].rule, "PRP001");
 }
 
+// Chains are no nesting: each link stands beside the one before it.
+TEST(PropertyLanguage, ChainsHaveAnyLength) {
+  for (const std::string word : {" implies ", " and ", " or ", " xor "}) {
+    std::string text = "prove p: Q0.0";
+    for (int i = 0; i < 100'000; ++i) text += word + "I0.0";
+    const Reading reading(text);
+    EXPECT_TRUE(reading.findings.empty()) << word;
+    ASSERT_EQ(reading.set.properties.size(), 1U) << word;
+    EXPECT_EQ(reading.set.properties[0].first.nodes.size(), 200'001U) << word;
+  }
+  Reading reading("prove p: I0.0 implies (I0.1 implies I0.2) implies Q0.0");
+  ASSERT_EQ(reading.set.properties.size(), 1U);
+  EXPECT_EQ(reading.set.properties[0].first.premise, "I0.0") << "of the outermost implication";
+}
+
+TEST(PropertyLanguage, TimesHaveALimit) {
+  EXPECT_TRUE(Reading("prove p: held(I0.0, 1000000h)").findings.empty());
+  for (const std::string text : {"prove p: held(I0.0, 10000000000000000s)", "prove p: held(I0.0, 1000001h)",
+                                 "prove p: I0.0 leads to Q0.0 within 9999999999999999999999999s"}) {
+    const Reading reading(text);
+    ASSERT_EQ(reading.findings.size(), 1U) << text;
+    EXPECT_EQ(reading.findings[0].rule, "PRP001");
+    EXPECT_EQ(reading.findings[0].help, "times go up to 1000000h");
+  }
+}
+
 }  // namespace
 }  // namespace rungproof
