@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 #include "analysis/drawing/raise.hpp"
 #include "frontend/picture/placement.hpp"
@@ -38,12 +40,24 @@ std::string namesIn(const Program& program, const Instruction& instruction) {
   return names;
 }
 
+/// Those of the findings, which stand in the order of their places, that begin in that place.
+std::span<const Finding* const> findingsIn(std::span<const Finding* const> findings, Span place) {
+  const auto before = [&](std::uint64_t offset) {
+    return std::ranges::partition_point(findings, [&](const Finding* finding) {
+      return std::pair<std::uint64_t, std::uint64_t>(finding->span.file, finding->span.offset) <
+             std::pair<std::uint64_t, std::uint64_t>(place.file, offset);
+    });
+  };
+  return {before(place.offset), before(std::uint64_t{place.offset} + place.length)};
+}
+
 /// Statement, stack top and values of the scan, names, findings: one line, columns aligned by the caller.
 struct StatementRow {
   std::string statement, top, values, names, marks;
 };
 
 std::vector<StatementRow> statementRows(const Program& program, const Network& network, const ViewOptions& options) {
+  const std::span<const Finding* const> findings = findingsIn(options.findings, network.span);
   std::vector<StatementRow> rows;
   for (const Instruction& instruction : network.instructions) {
     StatementRow row;
@@ -62,8 +76,8 @@ std::vector<StatementRow> statementRows(const Program& program, const Network& n
         }
       }
     }
-    for (const Finding* finding : options.findings) {
-      if (finding->span.beginsIn(instruction.span) && row.marks.find(finding->rule) == std::string::npos)
+    for (const Finding* finding : findingsIn(findings, instruction.span)) {
+      if (row.marks.find(finding->rule) == std::string::npos)
         row.marks += (row.marks.empty() ? "^" : " ") + finding->rule;
     }
     rows.push_back(std::move(row));
@@ -96,12 +110,43 @@ std::vector<std::string> statementLines(const Program& program, const Network& n
   return lines;
 }
 
+/// More than this nobody can read, and the layout takes time and memory with the product of columns and rows.
+constexpr std::size_t mostElements = 2'000;
+constexpr std::size_t mostCells = 100'000;
+
+/// Why a network is too large for a picture; empty: it is not. Instructions include those that join and branch.
+std::string sizeReason(const Network& network, const Drawing* drawing) {
+  const std::size_t size = drawing != nullptr ? drawing->elements.size() : network.instructions.size();
+  const std::size_t most = drawing != nullptr ? mostElements : 2 * mostElements;
+  if (size <= most) return {};
+  return fmt::format("too large to draw: {} {}, a picture takes up to {}", size,
+                     drawing != nullptr ? "elements" : "instructions", most);
+}
+
+/// The same of what is about to be laid out: symbols side by side times branches and outputs below each other.
+std::string sizeReason(const PlanNodes& plan) {
+  std::vector<std::size_t> column(plan.nodes.size(), 0);
+  std::size_t columns = 1, rows = 0;
+  for (std::size_t i = 0; i < plan.nodes.size(); ++i) {
+    const PlanNode& node = plan.nodes[i];
+    for (const NodeInput& input : node.inputs)
+      column[i] = std::max(column[i], column[static_cast<std::size_t>(input.from)] + (node.kind != NodeKind::Join));
+    columns = std::max(columns, column[i]);
+    rows += node.inputs.size() > 1 ? node.inputs.size() - 1 : 0;
+    rows += node.kind == NodeKind::Coil || node.kind == NodeKind::Leaf;
+  }
+  if (columns * rows <= mostCells) return {};
+  return fmt::format("too large to draw: {} symbols side by side and {} branches below each other", columns, rows);
+}
+
 /// The drawing of a network in that form, or why there is none.
 Raised drawingOf(const Network& network, const ViewOptions& options, const Target& target) {
   const Form form = options.form;
   // The recorder follows the logic stack, which that family does not have.
   if (options.recorder != nullptr && isStep7(target))
     return {std::nullopt, "the power flow of an S7-300 or S7-400 is not drawn", nullptr};
+  if (std::string reason = sizeReason(network, network.drawing.get()); !reason.empty())
+    return {std::nullopt, std::move(reason), nullptr};
   if (network.drawing != nullptr && network.form == form) return {*network.drawing, {}, nullptr};
   Raised raised = raise(network, form, target);
   // A ladder whose values pass through memory in STL is drawn from the ladder itself.
@@ -120,9 +165,8 @@ NetworkView networkView(const Program& program, const Pou& pou, const Network& n
     std::string text = commentText(program.sources->text(comment.span));
     if (text != network.title) view.comments.push_back(std::move(text));
   }
-  ViewOptions own = options;
-  std::erase_if(own.findings, [&](const Finding* finding) { return !finding->span.beginsIn(network.span); });
-  for (const Finding* finding : own.findings)
+  const std::span<const Finding* const> findings = findingsIn(options.findings, network.span);
+  for (const Finding* finding : findings)
     view.notes.push_back({finding->severity, fmt::format("{}: {}", finding->rule, finding->message)});
   view.notExecuted =
       options.recorder != nullptr && !network.instructions.empty() && !wasExecuted(network, *options.recorder);
@@ -130,25 +174,29 @@ NetworkView networkView(const Program& program, const Pou& pou, const Network& n
   if (options.form != Form::Stl && network.complete && !network.instructions.empty()) {
     const Raised raised = drawingOf(network, options, program.target);
     view.reason = raised.reason;
-    if (raised.drawing) {
+    if (raised.drawing) view.reason = sizeReason(network, &*raised.drawing);
+    if (raised.drawing && view.reason.empty()) {
       ElementTexts texts(&program, &pou, *raised.drawing);
-      texts.setFindings(own.findings);
+      texts.setFindings({findings.begin(), findings.end()});
       std::vector<ElementFlow> flows;
       if (options.recorder != nullptr) {
         flows = elementFlows(*raised.drawing, network, *options.recorder);
         texts.setFlow(&flows);
       }
-      PlacedPicture placed =
-          place(options.form == Form::Fbd ? fbdNodes(*raised.drawing, texts) : ladderNodes(*raised.drawing, texts),
-                options.width);
-      view.reason = placed.reason;
-      if (placed.reason.empty()) {
-        view.picture = wrapped(placed.picture, options.width);
-        return view;
+      const PlanNodes plan =
+          options.form == Form::Fbd ? fbdNodes(*raised.drawing, texts) : ladderNodes(*raised.drawing, texts);
+      view.reason = plan.reason.empty() ? sizeReason(plan) : plan.reason;
+      if (view.reason.empty()) {
+        const PlacedPicture placed = place(plan, options.width);
+        view.reason = placed.reason;
+        if (placed.reason.empty()) {
+          view.picture = wrapped(placed.picture, options.width);
+          return view;
+        }
       }
     }
   }
-  view.statements = statementLines(program, network, own);
+  view.statements = statementLines(program, network, options);
   return view;
 }
 

@@ -20,7 +20,7 @@ inline Form formAsRead(const Network& network) { return network.form == Form::Fb
 struct ViewOptions {
   Form form = Form::Ladder;
   int width = 100;                                ///< columns of a page
-  std::vector<const Finding*> findings{};         ///< of the whole program; those in the network are taken
+  std::vector<const Finding*> findings{};         ///< of the whole program by place; those in the network are taken
   const InstructionRecorder* recorder = nullptr;  ///< a scan to light, or nullptr
   step7::MnemonicSet mnemonics = step7::MnemonicSet::International;  ///< of statements of the S7-300/400
 };

@@ -168,6 +168,51 @@ TEST(NetworkView, HeadingCommentsSymbolsFindings) {
   EXPECT_NE(text.find("  warning OUT007: the coil may not run\n"), std::string::npos);
 }
 
+/// Rows of contacts, branches and outputs of any length have an answer: a picture, or all statements and the reason.
+TEST(NetworkView, WhatIsTooLargeToDrawIsShownAsStlWithTheReason) {
+  const auto many = [](const std::string& lines, int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i) text += lines;
+    return text;
+  };
+  struct Case {
+    std::string text;
+    std::size_t statements;
+  };
+  constexpr int count = 100'000;
+  const Case cases[] = {
+      {"LD I0.0\n" + many("A M0.0\n", count) + "= Q0.0", count + 2U},
+      {"LD I0.0\n" + many("O M0.0\n", count) + "= Q0.0", count + 2U},
+      {"LD I0.0\n" + many("= M0.0\n", count), count + 1U},
+      {"LD I0.0\n" + many("A M0.0\nO M0.1\n", count / 2) + "= Q0.0", count + 2U},
+      {"LD I0.0\n" + many("A M0.0\nO M0.1\n", 900) + "= Q0.0", 1802U},  // 1,800 elements, but 900 columns by 900 rows
+      {"LD I0.0\nLPS\n" + many("A M0.0\n= Q0.0\nLRD\n", count) + "LPP\n= Q0.1", 3U * count + 4},
+  };
+  for (const Case& each : cases) {
+    const Program program = mainOf("Network 1\n" + each.text);
+    for (const Form form : {Form::Ladder, Form::Fbd}) {
+      ViewOptions options;
+      options.form = form;
+      const NetworkView view = networkView(program, program.pous[0], program.pous[0].networks[0], options);
+      EXPECT_EQ(view.picture.height, 0);
+      EXPECT_TRUE(view.reason.starts_with("too large to draw: ")) << view.reason;
+      EXPECT_EQ(view.statements.size(), each.statements);
+    }
+  }
+}
+
+/// What a page can show is drawn as before.
+TEST(NetworkView, LongRowsAreDrawn) {
+  std::string series = "Network 1\nLD I0.0\n", parallel = series;
+  for (int i = 0; i < 500; ++i) series += "A M0.0\n", parallel += "O M0.0\n";
+  for (const std::string& text : {series, parallel}) {
+    const Program program = mainOf(text + "= Q0.0");
+    const NetworkView view = networkView(program, program.pous[0], program.pous[0].networks[0], {});
+    EXPECT_EQ(view.reason, "");
+    EXPECT_EQ(view.picture.symbols.size(), 502U);
+  }
+}
+
 TEST(NetworkView, WhatHasNoPictureIsShownAsStl) {
   const Program program = mainOf("Network 1\nLD I0.0\n= Q0.0\nLD I0.1\n= Q0.1");
   const NetworkView view = networkView(program, program.pous[0], program.pous[0].networks[0], {});
