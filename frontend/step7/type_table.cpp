@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "ir/s7300/library.hpp"
 
@@ -97,13 +98,18 @@ std::optional<Field> TypeTable::field(const DeclarationSyntax& declaration) {
 
 void TypeTable::append(const std::vector<DeclarationSyntax>& declarations, std::initializer_list<Section> sections,
                        Structure& structure) {
+  std::unordered_map<std::string, std::size_t> fieldOf;  // by folded name
+  for (std::size_t i = 0; i < structure.fields.size(); ++i)
+    fieldOf.emplace(s7300::foldedName(structure.fields[i].name), i);
   for (const DeclarationSyntax& declaration : declarations) {
     if (!isAmongSections(declaration.section, sections)) continue;
     std::optional<Field> made = field(declaration);
     if (!made) continue;
-    if (const Field* twin = structure.field(made->name)) {
+    const auto [twin, isNew] = fieldOf.emplace(s7300::foldedName(made->name), structure.fields.size());
+    if (!isNew) {
+      const Span first = structure.fields[twin->second].span;
       reports_.report(Syntax::Declaration7, made->span, fmt::format("{} is declared twice", made->name));
-      if (twin->span.length > 0) reports_.relate(twin->span, "the first declaration");
+      if (first.length > 0) reports_.relate(first, "the first declaration");
       continue;
     }
     structure.fields.push_back(std::move(*made));

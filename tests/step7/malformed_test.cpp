@@ -195,5 +195,15 @@ TEST(MalformedFrames, BothPlacesOfTwins) {
   EXPECT_EQ(program.sources->position(program.findings[0].related[0].span).line, 1u);
 }
 
+/// As many members as a data block holds; the twin of the first is found among them, whatever its capitals.
+TEST(MalformedFrames, ATwinAmongManyMembers) {
+  std::string text = "DATA_BLOCK \"D\"\nSTRUCT\n";
+  for (int i = 0; i < 30'000; ++i) text += "  a" + std::to_string(i) + " : INT ;\n";
+  const Program program = read7(text + "  A0 : INT ;\nEND_STRUCT ;\nBEGIN\nEND_DATA_BLOCK\n");
+  EXPECT_EQ(findings7(program), "SYN040 30003:3 A0 is declared twice");
+  ASSERT_EQ(program.findings[0].related.size(), 1u);
+  EXPECT_EQ(program.sources->position(program.findings[0].related[0].span).line, 3u);
+}
+
 }  // namespace
 }  // namespace rungproof
