@@ -2,7 +2,9 @@
 #include "analysis/flow/pulse_bits.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <tuple>
 
 namespace rungproof {
 
@@ -87,9 +89,22 @@ class PulseFinder {
   }
   /// Bit contacts of a rung that is one series of contacts (`joint`: And) or one row of parallel ones (Or).
   std::optional<std::vector<Literal>> rungBefore(const InstructionPlace& place, Role joint) const {
+    const auto [known, isNew] = rungs_.try_emplace(std::tuple(place.block, place.network, joint));
+    auto rung = walkBack(place, joint, isNew ? nullptr : &known->second);
+    known->second = KnownRung{place.step, rung};
+    return rung;
+  }
+  /// What was found in front of the last step of a network that was asked about: outputs behind each other share it.
+  struct KnownRung {
+    std::uint32_t step = 0;
+    std::optional<std::vector<Literal>> literals;
+  };
+  std::optional<std::vector<Literal>> walkBack(const InstructionPlace& place, Role joint,
+                                               const KnownRung* known) const {
     const Flow& flow = facts_.plan().flows[place.block];
     std::vector<Literal> literals;
     for (std::uint32_t at = place.step; at > 0 && flow.steps[at - 1].network == place.network;) {
+      if (known != nullptr && known->step == at && literals.empty()) return known->literals;
       const Instruction& instruction = *flow.steps[--at].instruction;
       const Role role = roleOf(instruction);
       if (role == Role::Load || role == joint) {
@@ -190,6 +205,7 @@ class PulseFinder {
 
   const Facts& facts_;
   KnownBits bits_;
+  mutable std::map<std::tuple<std::uint32_t, std::uint32_t, Role>, KnownRung> rungs_;  ///< by block, network, joint
 };
 
 }  // namespace

@@ -114,6 +114,21 @@ TEST(Conditions, FlowThroughTheStack) {
   EXPECT_NE(stack.at(10).flow & condition::Pulse, 0);
 }
 
+/// Outputs behind each other have the same rung in front of them: each is on in the scan in which I0.0 comes.
+TEST(Conditions, AnEdgeByHandDrivesManyOutputs) {
+  constexpr int count = 20'000;
+  std::string text = "Network 1\nLD I0.0\nAN M0.0\n";
+  for (int i = 0; i < count; ++i) text += "= V" + std::to_string(i / 8) + "." + std::to_string(i % 8) + "\n";
+  text += "Network 2\nLD I0.0\n= M0.0\n";
+  for (const std::string bit : {"V0.0", "V0.1", "V2499.7"}) text += "Network 3\nLD " + bit + "\nMOVB 1, VB3000\n";
+  text += "Network 4\nLD I0.0\nAN M0.1\n= M2.0\nNetwork 5\nLD M2.0\nMOVB 1, VB3001\n";  // nothing drives M0.1
+  const Linted linted(text);
+  const StackRun& stack = linted.facts->stack();
+  for (const std::uint32_t move : {count + 5U, count + 7U, count + 9U})
+    EXPECT_NE(stack.at(move).flow & condition::Pulse, 0) << move;
+  EXPECT_EQ(stack.at(count + 14U).flow & condition::Pulse, 0);
+}
+
 TEST(Facts, FindsSymbolsByNameAndAddress) {
   const Linted linted("Network 1\nLD Start\n= Q0.0\n", {}, "Symbol\tAddress\tComment\nStart\tI0.0\tbutton\n");
   ASSERT_NE(linted.facts->symbolNamed("Start"), nullptr);
