@@ -25,11 +25,29 @@ void addClock(std::vector<MonitorCell>& cells, const std::string& name, std::int
 void layoutExpr(Expr& expr, const std::string& prefix, std::vector<MonitorCell>& cells, int timeBase) {
   for (std::size_t i = 0; i < expr.nodes.size(); ++i) {
     ExprNode& node = expr.nodes[i];
-    node.cell = static_cast<std::uint32_t>(cells.size());
+    const auto first = static_cast<std::uint32_t>(cells.size());
     const auto add = [&](const char* what, int width) {
       cells.push_back({fmt::format("{}.{}{}", prefix, what, i), static_cast<std::uint8_t>(width)});
     };
-    switch (node.op) {
+    switch (node.op) {  // every operator is named, so that a new one cannot do without a decision
+      case ExprOp::Constant:
+      case ExprOp::Address:
+      case ExprOp::Not:
+      case ExprOp::And:
+      case ExprOp::Or:
+      case ExprOp::Xor:
+      case ExprOp::Implies:
+      case ExprOp::Equal:
+      case ExprOp::NotEqual:
+      case ExprOp::Less:
+      case ExprOp::LessEqual:
+      case ExprOp::Greater:
+      case ExprOp::GreaterEqual:
+      case ExprOp::Add:
+      case ExprOp::Sub:
+      case ExprOp::Mul:
+      case ExprOp::Negate:
+      case ExprOp::FirstScan: break;
       case ExprOp::Rises:
       case ExprOp::Falls: add("before", 1); break;
       case ExprOp::Prev: add("before", expr.nodes[node.args[0]].width); break;
@@ -39,8 +57,8 @@ void layoutExpr(Expr& expr, const std::string& prefix, std::vector<MonitorCell>&
         add("run", 1);
         addClock(cells, fmt::format("{}.{}.", prefix, i), node.milliseconds, timeBase);
         break;
-      default: break;
     }
+    node.cell = cells.size() > first ? first : noCell;
   }
 }
 
@@ -77,8 +95,12 @@ void layoutCells(Property& property) {
       add("risen", 1);
       addTime(property.bound);
       break;
-    default: break;
+    case PropertyKind::Assume:
+    case PropertyKind::Always:
+    case PropertyKind::Never:
+    case PropertyKind::Reach: break;
   }
+  if (property.cells.size() == property.patternCell) property.patternCell = noCell;
 }
 
 int numberBits(const Operand& o) {

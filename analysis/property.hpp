@@ -38,8 +38,12 @@ enum class ExprOp : std::uint8_t {
   Held,   // e for `milliseconds`
   FirstScan
 };
+inline constexpr std::size_t exprOpCount = static_cast<std::size_t>(ExprOp::FirstScan) + 1;
 
 enum class ExprType : std::uint8_t { Truth, Number, Real };
+
+/// The cell of an operator that carries nothing from scan end to scan end.
+inline constexpr std::uint32_t noCell = 0xFFFFFFFF;
 
 /// One node of an expression; `args` are indices in the same Expr::nodes, smaller than their own.
 struct ExprNode {
@@ -50,7 +54,7 @@ struct ExprNode {
   Operand operand{};              ///< Address
   std::int64_t milliseconds = 0;  ///< Held
   std::vector<std::uint32_t> args{};
-  std::uint32_t cell = 0;  ///< first monitor cell of a function that looks back
+  std::uint32_t cell = noCell;  ///< first monitor cell of a function that looks back
   Span span{};
 };
 
@@ -110,8 +114,16 @@ struct ExternalRange {
   bool isPanelTag = false;  ///< a row of a panel's tag list
 };
 
+/// A statement that could not be read, or a file of statements, and may say something about the world around the
+/// program: an assumption, external memory, the start. What it would have changed is not known, so nothing is settled.
+struct UnreadStatement {
+  std::string text;
+  Span span{};
+};
+
 /// Everything that the directives of a program and its property files say.
 struct PropertySet {
+  std::vector<UnreadStatement> unread;
   std::vector<Property> properties;  ///< assumptions and pulses as well as goals, in the order of the text
   std::vector<ExternalRange> externals;
   bool initialRetentive = false;

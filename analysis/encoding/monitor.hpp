@@ -114,7 +114,7 @@ class Monitor {
         return bits(d.land(d.lnot(now.firstScan), d.land(was, d.lnot(is))));
       }
       case ExprOp::Prev: {
-        const Bits was = before_[n.cell];
+        const Bits was = before_[own(n.cell)];
         after_[n.cell] = arg(0);
         return d.select(now.firstScan, arg(0), was, n.width);
       }
@@ -170,8 +170,13 @@ class Monitor {
 
   // ---- Cells and patterns ---------------------------------------------------------------------------
 
-  Bool cell(std::uint32_t i) { return d.bit(before_[i], 0); }
-  void setCell(std::uint32_t i, Bool value) { after_[i] = d.fromBool(value, 1); }
+  /// A function that looks back without a cell of its own would share that of another (layoutCells()).
+  std::uint32_t own(std::uint32_t i) const {
+    CHECK(i < p.cells.size(), "a function that looks back has no cell");
+    return i;
+  }
+  Bool cell(std::uint32_t i) { return d.bit(before_[own(i)], 0); }
+  void setCell(std::uint32_t i, Bool value) { after_[own(i)] = d.fromBool(value, 1); }
   /// True from the first scan with `set` on.
   Bool latch(std::uint32_t i, Bool set) {
     const Bool now_ = d.lor(cell(i), set);
@@ -187,7 +192,7 @@ class Monitor {
     Bool passed;  ///< at least `limit` ms
   };
   Clock clock(std::uint32_t i, std::int64_t limit) {
-    const int w = p.cells[i].width;
+    const int w = p.cells[own(i)].width;
     const int wide = std::max(w, now.dtWidth) + 1;
     const Bits sum = d.add(d.zext(before_[i], w, wide), d.zext(now.dt, now.dtWidth, wide), wide);
     const Bits cap = d.literal(static_cast<std::uint64_t>(clockCap(limit, p.timeBase)), wide);
