@@ -455,13 +455,19 @@ void noteUntouched(const Program& program, const PropertySet& set, const ProverO
   }
 }
 
-/// Why none of the properties can be settled: an assumption speaks of what unread code may write, or anything may be
-/// written.
-std::vector<std::string> reasonsForAll(const PropertySet& set, const UnreadCode& unread) {
-  std::vector<std::string> reasons = unread.reasons();
+/// Why none of the properties can be settled: a statement about the world could not be read, an assumption speaks of
+/// what unread code may write, or anything may be written.
+std::vector<std::string> reasonsForAll(const Program& program, const PropertySet& set, const UnreadCode* unread) {
+  std::vector<std::string> reasons;
+  for (const UnreadStatement& statement : set.unread)
+    reasons.push_back(fmt::format(
+        "'{}' ({}:{}) could not be read: it may be an assumption, or say what is written from outside", statement.text,
+        program.sources->file(statement.span.file).name(), program.sources->position(statement.span).line));
+  if (!reasons.empty() || unread == nullptr) return reasons;
+  reasons = unread->reasons();
   for (const Property& property : set.properties) {
     if (property.isGoal() || !reasons.empty()) continue;
-    reasons = unread.reasons(property);
+    reasons = unread->reasons(property);
     if (!reasons.empty()) reasons.insert(reasons.begin(), fmt::format("the assumption '{}' is open", property.text));
   }
   return reasons;
@@ -473,12 +479,12 @@ namespace {
 
 ProofRun proveAll(const Program& program, const PropertySet& set, const ProverOptions& options,
                   const ProofProgress& progress) {
-  if (options.unread == nullptr || options.unread->empty()) {
+  if (set.unread.empty() && (options.unread == nullptr || options.unread->empty())) {
     ProofRun run = proveInParts(program, set, options, progress);
     noteUntouched(program, set, options, run.results);
     return run;
   }
-  const std::vector<std::string> forAll = reasonsForAll(set, *options.unread);
+  const std::vector<std::string> forAll = reasonsForAll(program, set, options.unread);
   PropertySet covered = set;
   std::vector<ProofResult> open;
   std::erase_if(covered.properties, [&](const Property& property) {

@@ -14,14 +14,14 @@ namespace {
 
 constexpr std::size_t mostHalves = 8;  ///< of a conflict that are shown beside it
 
-std::string helpOf(const Rule& rule, int scans) {
+std::string helpOf(const Rule& rule, int scans, Shown shown) {
   const std::string_view advice = rule.tell.advice;
   if (rule.ask.wantsYes) return fmt::format("proved for every run; {}", advice);
-  if (isAskedByProve(rule)) return "'rungproof prove --builtin' shows the run";
+  if (isAskedByProve(rule) && shown == Shown::Finding) return "'rungproof prove --builtin' shows the run";
   return fmt::format("seen in scan {} of a run that the engine repeats{}{}", scans, advice.empty() ? "" : "; ", advice);
 }
 
-Finding findingAt(const ProofResult& result) {
+Finding findingAt(const ProofResult& result, Shown shown) {
   const RuleQuestion& question = *result.builtin;
   Finding finding;
   finding.rule = std::string(question.rule->id);
@@ -32,7 +32,7 @@ Finding findingAt(const ProofResult& result) {
   if (question.place != nullptr) finding.span = question.place->span;
   if (question.other != nullptr)
     finding.related.push_back({question.other->span, std::string(question.rule->tell.otherPlace)});
-  finding.help = helpOf(*question.rule, result.depth);
+  finding.help = helpOf(*question.rule, result.depth, shown);
   return finding;
 }
 
@@ -72,8 +72,8 @@ std::map<const ProofResult*, ProofRow> rowsOf(const ProofRow& results) {
 }
 
 /// One finding for all of them, at the place of the first bit.
-Finding joinedFinding(const ProofRow& group) {
-  Finding finding = findingAt(*group.front());
+Finding joinedFinding(const ProofRow& group, Shown beside) {
+  Finding finding = findingAt(*group.front(), beside);
   const RuleTells& tell = group.front()->builtin->rule->tell;
   BitRow row = group.front()->builtin->row;
   std::set<std::string_view> last;
@@ -212,7 +212,7 @@ bool isRefuted(const ProofResult& result) {
          result.outcome == (result.builtin->rule->ask.wantsYes ? Outcome::Unreachable : Outcome::Violated);
 }
 
-std::vector<Finding> findingsOf(const std::vector<const ProofResult*>& results) {
+std::vector<Finding> findingsOf(const std::vector<const ProofResult*>& results, Shown shown) {
   ProofRow onBits;
   for (const ProofResult* result : results) {
     if (isRefuted(*result) && !result->builtin->row.empty()) onBits.push_back(result);
@@ -222,10 +222,10 @@ std::vector<Finding> findingsOf(const std::vector<const ProofResult*>& results) 
   for (const ProofResult* result : results) {
     if (!isRefuted(*result)) continue;
     if (!result->builtin->row.empty()) {
-      if (const auto row = rows.find(result); row != rows.end()) findings.push_back(joinedFinding(row->second));
+      if (const auto row = rows.find(result); row != rows.end()) findings.push_back(joinedFinding(row->second, shown));
       continue;
     }
-    findings.push_back(findingAt(*result));
+    findings.push_back(findingAt(*result, shown));
     const Finding first = findings.back();
     for (const AlikePlace& alike : result->builtin->alike) {
       findings.push_back(first);
@@ -286,7 +286,7 @@ void settle(const Program& program, const std::vector<ProofResult>& results, std
   }
   // Of several answers of one rule at one place the first speaks.
   std::set<std::tuple<std::string, std::uint32_t, std::uint32_t>> said;
-  for (Finding& finding : findingsOf(news)) {
+  for (Finding& finding : findingsOf(news, Shown::Finding)) {
     if (said.emplace(finding.rule, finding.span.file, finding.span.offset).second)
       findings.push_back(std::move(finding));
   }

@@ -16,9 +16,12 @@ namespace rungproof {
 /// Whether a rule's question has the unwanted answer.
 bool isRefuted(const ProofResult& result);
 
+/// What stands beside the findings: the run of each answer, or the findings alone.
+enum class Shown : std::uint8_t { Finding, Run };
+
 /// Questions with the unwanted answer as confirmed findings, in their order. Answers on bits of one range are one
 /// finding that names the whole range; one answer for several networks is a finding in each.
-std::vector<Finding> findingsOf(const std::vector<const ProofResult*>& results);
+std::vector<Finding> findingsOf(const std::vector<const ProofResult*>& results, Shown shown);
 
 /// The rule whose finding a declared property with that result is, or nullptr: it holds, or it is open.
 const Rule* ruleOf(const ProofResult& result, std::span<const Rule* const> rules = allRules());

@@ -223,11 +223,11 @@ void proveInto(Report& part, const Context& context, const Settings& settings, c
     part.properties.back().assumptions = result.assumptions;
     if (result.builtin) builtin.push_back(&result);
   }
-  for (Finding& finding : findingsOf(builtin)) part.findings.push_back(std::move(finding));
-  if (arguments.selfCheck && unread.empty()) {
+  for (Finding& finding : findingsOf(builtin, Shown::Run)) part.findings.push_back(std::move(finding));
+  if (arguments.selfCheck && unread.empty() && properties.unread.empty()) {
     part.selfCheck = plantFaults(context, program, properties, options, proof);
   } else if (arguments.selfCheck) {
-    context.err << "rungproof: no faults are planted: a part of the program is not executed\n";
+    context.err << "rungproof: no faults are planted: not all of the program and its properties could be read\n";
   }
   std::signal(SIGINT, before);
   std::signal(SIGTERM, beforeTerm);
@@ -269,7 +269,9 @@ Exit runAnew(const Arguments& arguments, Context& context, bool& isSettled) {
     part.coverage.leftOut = std::move(leftOut);
     std::erase_if(part.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
     const UnreadCode unread(input.program, settings.choices());
-    if (!part.findings.empty() || unread.isRefused())
+    const bool hasProgramErrors =
+        std::ranges::any_of(part.findings, [](const Finding& finding) { return !finding.rule.starts_with("PRP"); });
+    if (hasProgramErrors || unread.isRefused())
       part.reasons.push_back({Exit::Failed, "a part of the program is refused"});
     addUnread(part, input.program, unread);
     if (unread.hinderRuns()) part.reasons.push_back({Exit::Undecided, "a part of the program was not read"});
@@ -283,7 +285,11 @@ Exit runAnew(const Arguments& arguments, Context& context, bool& isSettled) {
             {"there is no main program to prove", files.front(), "give the file that holds the main program"});
       part.reasons.push_back({Exit::Failed, "there is no main program"});
     }
-    if (hasMain && part.properties.empty() && !arguments.builtin) {
+    const auto isOfProperties = [](const Finding& finding) { return finding.rule.starts_with("PRP"); };
+    if (hasMain && part.properties.empty() && !arguments.builtin &&
+        std::ranges::any_of(part.findings, isOfProperties)) {
+      context.err << "rungproof: no property could be read; the errors say which lines are meant\n";
+    } else if (hasMain && part.properties.empty() && !arguments.builtin) {
       context.err << fmt::format(
           "rungproof: no property is declared in {}; see 'rungproof prove --help', or give --builtin\n", files.front());
     }

@@ -49,6 +49,7 @@ PropertySet readProperties(Program& program, const std::vector<std::string>& fil
     if (!content) {
       report(program, program.sources->add(name, ""), fmt::format("cannot open the property file '{}'", name),
              "check the name given to --props, and that it is a file");
+      set.unread.push_back({fmt::format("all of '{}'", name), program.findings.back().span});
       continue;
     }
     const std::uint32_t file =

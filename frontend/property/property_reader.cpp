@@ -568,6 +568,18 @@ class Parser {
   int depth_ = 0;
 };
 
+/// Whether an unread line may be an assumption or a statement about the surroundings: any but those that certainly ask.
+bool maySayOfTheWorld(std::string_view line) {
+  std::string word;
+  for (const char c : line) {
+    const bool isLetter = std::isalpha(static_cast<unsigned char>(c)) != 0;
+    if (isLetter) word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (!isLetter && !word.empty()) break;
+    if (!isLetter && c != ' ' && c != '\t') break;
+  }
+  return word != "prove" && word != "reach" && word != "at";
+}
+
 }  // namespace
 
 void readPropertyText(std::uint32_t file, std::string_view text, std::uint32_t offset, const OperandLookup& lookup,
@@ -590,6 +602,7 @@ void readPropertyText(std::uint32_t file, std::string_view text, std::uint32_t o
         finding.span = mistake.span;
         finding.help = mistake.help;
         findings.push_back(std::move(finding));
+        if (maySayOfTheWorld(line)) set.unread.push_back({std::string(line.substr(0, last)), mistake.span});
       }
     }
     begin = stop + 1;
