@@ -139,7 +139,8 @@ void askHazards(Asking& asking, const std::vector<const Rule*>& rules) {
     asking.begin(*ruleOf(key.second));
     const HazardInfo& info = hazardInfo(key.second);
     const std::string text = Facts::text(*key.first);
-    asking.ask({.name = fmt::format("{} at {}", info.text, text),
+    // Named after what is good, because "PROVED" stands in front of it.
+    asking.ask({.name = fmt::format("{}: never '{}'", text, info.text),
                 .message = fmt::format("{}: {}", text, info.text),
                 .place = key.first,
                 .bad = byPlace[key]});

@@ -78,7 +78,7 @@ void askOut003(Asking& asking) {
   for (auto& [pair, ofPair] : conflicts) {
     for (RuleQuestion& question : ofPair) {
       question.row.order();
-      question.name = "set/reset conflict on " + question.row.text();
+      question.name = "no set/reset conflict on " + question.row.text();
       question.message = conflictMessage(question.row, question.place->desc->stl);
       question.address = question.row.first();
       asking.ask(std::move(question));

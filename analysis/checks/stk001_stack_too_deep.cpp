@@ -39,7 +39,7 @@ void askStk001(Asking& asking) {
     const auto [use, push] = places;
     const std::string text = Facts::text(*use);
     asking.ask(
-        {.name = fmt::format("logic stack at {}", text),
+        {.name = fmt::format("the logic stack is deep enough at {}", text),
          .message = fmt::format("{} takes a level that was pushed out of the nine levels of the logic stack", text),
          .place = push == nullptr ? use : push,
          .bad = bad,

@@ -88,7 +88,7 @@ void askTim007(Asking& asking) {
   }
   for (const Instruction* box : order) {
     const std::string text = Facts::text(*box);
-    asking.ask({.name = fmt::format("preset of {}", text),
+    asking.ask({.name = fmt::format("the preset of {} is in range", text),
                 .message = fmt::format("{} can be 0 or negative when {} runs", toString(box->operands[1]), text),
                 .address = toString(box->operands[0]),
                 .place = box,
