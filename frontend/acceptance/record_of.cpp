@@ -166,7 +166,6 @@ std::string requirementAbove(const SourceFile& file, std::uint32_t line) {
     return std::string(withoutBlanks(text));
   };
   std::uint32_t above = line - 1;
-  while (above > 0 && isStatement(at(above))) --above;
   std::string text;
   const std::uint32_t last = above;
   for (; above > 0 && isComment(at(above)); --above) {

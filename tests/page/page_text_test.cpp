@@ -46,7 +46,7 @@ TEST(AddressNames, LeavesSentencesAlone) {
   EXPECT_EQ(names().marked("a < b & c"), "a &lt; b &amp; c");
 }
 
-TEST(Requirement, IsTheCommentAboveTheGroupOfStatements) {
+TEST(Requirement, IsTheCommentOfTheNextStatementOnly) {
   const SourceFile file("press.prop",
                         "# SR-1: never both.\n"  // 1
                         "# See the risk assessment.\n"
@@ -55,7 +55,7 @@ TEST(Requirement, IsTheCommentAboveTheGroupOfStatements) {
                         "\n"
                         "prove c: VB0 < 16#1F\n");
   EXPECT_EQ(requirementAbove(file, 3), "SR-1: never both. See the risk assessment.");
-  EXPECT_EQ(requirementAbove(file, 4), "SR-1: never both. See the risk assessment.: the other way");
+  EXPECT_EQ(requirementAbove(file, 4), "the other way") << "the comment is that of statement a";
   EXPECT_EQ(requirementAbove(file, 6), "") << "16#1F begins no comment, and a blank line ends what a comment is about";
 }
 
