@@ -42,6 +42,7 @@ void checkStk004(const Facts& facts, FindingSink& sink) {
         finding.related.push_back(
             {fault.other->span, fmt::format("{} is not an input of the box", Facts::text(*fault.other))});
       finding.help = orderText(*fault.instruction);
+      finding.refused = false;  // the box works; the level below is left over
     }
   }
 }
@@ -61,6 +62,7 @@ extern constexpr Rule stk004_box_inputs = {
     .bad = "Network 1\nLD I0.0\nCTU C1, +10\n",
     .good = "Network 1\nLD I0.0\nLD I0.1\nCTU C1, +10\n",
     .dialects = dialect::S7200,
+    .refuses = true,
     .check = checkStk004,
 };
 

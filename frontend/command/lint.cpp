@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "analysis/read_errors.hpp"
 #include "analysis/rule.hpp"
 #include "frontend/command.hpp"
 #include "frontend/linting/baseline.hpp"
@@ -45,8 +46,9 @@ Action setup(ArgumentTable& table) {
   table.flag("--fix", state->fix,
              "write the safe fixes into the files, then report what is left; of standard input the fixed text goes to "
              "standard output and the report to standard error");
-  table.flag("--diff", state->diff,
-             "show as a diff what --fix would change, and change nothing; 1: something would be");
+  table.flag(
+      "--diff", state->diff,
+      "show as a diff what --fix would change, and change nothing; 1: something would be, 2: not all could be read");
   table.flag("--unsafe-fixes", state->unsafeFixes,
              "with --fix and --diff: also the fixes that are guesses and may change what the program does");
   table.flag("--prove", state->prove,
@@ -62,8 +64,14 @@ Action setup(ArgumentTable& table) {
     if (state->diff) {
       bool isRead = true;
       for (const Finding& finding : report.findings) {
-        if (!isLostForFixes(finding)) continue;
+        if (!isReadError(finding)) continue;
         isRead = false;
+        if (!isLostForFixes(finding)) {
+          const Position at = report.sources->position(finding.span);
+          const std::string place = fmt::format("{}:{}", report.sources->file(finding.span.file).name(), at.line);
+          print(context.err, {finding.message, place, finding.help});
+          continue;
+        }
         print(context.err, {finding.message, report.sources->file(finding.span.file).name(), finding.help});
       }
       const std::size_t count = showFixes(context, report, level);

@@ -318,6 +318,7 @@ Exit run(const Arguments& arguments, Context& context) {
     // A run of the rest would be the run of another program.
     std::erase_if(report.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
     addUnread(report, text, unread);
+    report.reasons.push_back({Exit::Failed, "the program is not run"});
     context.err << fmt::format("rungproof: the program is not run: {}\n", unread.texts().front());
     finish(context, std::move(report));
     return Exit::Failed;
