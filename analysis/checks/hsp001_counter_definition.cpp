@@ -1,22 +1,42 @@
-// HSP001: HSC without HDEF, HDEF twice, HSC in front of its HDEF. Tested by its examples and
-// tests/rules/data_rules_test.cpp.
+// HSP001: HSC without HDEF, HDEF twice, HSC in front of its HDEF, HDEF with a mode that the counter has not. Tested by
+// its examples and tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <array>
 
 #include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
+#include "ir/s7200/hsc_inputs.hpp"
 
 namespace rungproof {
 
 namespace {
 
 constexpr int counters = 6;
+constexpr int highestMode = 12;
 
 int counterOf(const Instruction& instruction) {
   if (instruction.operands.empty() || instruction.operands[0].kind != OperandKind::Constant) return -1;
   const std::int64_t number = instruction.operands[0].value;
   return number >= 0 && number < counters ? static_cast<int>(number) : -1;
+}
+
+/// The mode of an HDEF if it is a number; else -1.
+int modeOf(const Instruction& instruction) {
+  if (instruction.operands.size() < 2 || instruction.operands[1].kind != OperandKind::Constant) return -1;
+  const std::int64_t mode = instruction.operands[1].value;
+  return mode >= 0 && mode <= highestMode ? static_cast<int>(mode) : -1;  // ADR006 speaks of others
+}
+
+/// "modes 0, 3, 12"
+std::string modesOf(const Target& target, int counter) {
+  std::string text;
+  int count = 0;
+  for (int mode = 0; mode <= highestMode; ++mode) {
+    if (!hscHasMode(target, counter, mode)) continue;
+    text += fmt::format("{}{}", count++ == 0 ? "" : ", ", mode);
+  }
+  return fmt::format("mode{} {}", count == 1 ? "" : "s", text);
 }
 
 void checkHsp001(const Facts& facts, FindingSink& sink) {
@@ -32,6 +52,10 @@ void checkHsp001(const Facts& facts, FindingSink& sink) {
     if (role == Role::Hsc) {
       if (use[n] == nullptr) use[n] = &instruction;
       continue;
+    }
+    if (const int mode = modeOf(instruction); mode >= 0 && !hscHasMode(facts.target(), counter, mode)) {
+      sink.report(instruction.span, fmt::format("HSC{} has no mode {}", counter, mode)).help =
+          fmt::format("it has {}: choose one of these, or another counter", modesOf(facts.target(), counter));
     }
     if (definition[n] == nullptr) {
       definition[n] = &instruction;
@@ -66,7 +90,9 @@ extern constexpr Rule hsp001_counter_definition = {
     .title = "HSC without or with double HDEF",
     .severity = Severity::Error,
     .needs = Needs::Flow,
-    .detects = "HSC reached before HDEF or without one, HDEF twice for one counter",
+    .detects =
+        "HSC reached before HDEF or without one, HDEF twice for one counter, HDEF with a mode that "
+        "the counter has not (HSC3 and HSC5 count in mode 0 only, and HSC3 in 12)",
     .why = "run-time errors 0001 and 000A: the instruction does nothing",
     .manual = "001:4188, 001:4360, 001:13949, 001:13958",
     .bad = "Network 1\nLD SM0.1\nMOVB 16#F8, SMB37\nHSC 0\n",

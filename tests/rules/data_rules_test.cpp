@@ -57,5 +57,22 @@ TEST(DeviceRules, GuardsOfOneScan) {
   EXPECT_EQ(lines("HSP001", "Network 1\nLD SM0.1\nHDEF 0, 0\nHSC 0\nNetwork 2\nLD I0.0\nHDEF 0, 3\n"), Lines{7});
 }
 
+/// Table 6-26 (001:4216-4237): HSC0 and HSC4 have no start input, HSC3 and HSC5 the clock alone; mode 12 is that of
+/// HSC0 and HSC3. On the S7-200 SMART HSC1 and HSC3 have the clock alone.
+TEST(DeviceRules, ModesThatACounterHasNot) {
+  const auto linesOf = [](const char* definition, Cpu cpu) {
+    return Linted(std::string("Network 1\nLD SM0.1\n") + definition + "\n", {cpu, usualEdition(cpu)}).lines("HSP001");
+  };
+  const Cpu old = *cpuNamed("226"), smart = *cpuNamed("ST40");
+  for (const char* wrong :
+       {"HDEF 0, 2", "HDEF 0, 11", "HDEF 3, 1", "HDEF 3, 9", "HDEF 4, 5", "HDEF 5, 12", "HDEF 1, 12"})
+    EXPECT_EQ(linesOf(wrong, old), Lines{3}) << wrong;
+  for (const char* right :
+       {"HDEF 0, 10", "HDEF 0, 12", "HDEF 1, 11", "HDEF 2, 5", "HDEF 3, 0", "HDEF 3, 12", "HDEF 4, 9"})
+    EXPECT_EQ(linesOf(right, old), Lines()) << right;
+  for (const char* wrong : {"HDEF 1, 3", "HDEF 3, 9", "HDEF 1, 1"}) EXPECT_EQ(linesOf(wrong, smart), Lines{3}) << wrong;
+  for (const char* right : {"HDEF 1, 0", "HDEF 3, 0", "HDEF 0, 10"}) EXPECT_EQ(linesOf(right, smart), Lines()) << right;
+}
+
 }  // namespace
 }  // namespace rungproof::testing
