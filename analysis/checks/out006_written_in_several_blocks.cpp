@@ -87,6 +87,9 @@ bool keepApart(const Facts& facts, const WriterClass& a, const WriterClass& b) {
          (a.hand == WritingHand::Reset && b.hand == WritingHand::Set);
 }
 
+/// Whether both only set, or only reset: in any order the same comes of it.
+bool doTheSame(const WriterClass& a, const WriterClass& b) { return a.hand == b.hand && a.hand != WritingHand::Other; }
+
 /// Whether the text lets one of the two run at a time.
 bool takeTurns(const Facts& facts, const Exclusion& exclusion, const WriterClass& a, const WriterClass& b) {
   return !isInterruptBlock(facts, a.block) && !isInterruptBlock(facts, b.block) && exclusion.exclude(a.ways, b.ways);
@@ -113,8 +116,8 @@ unsigned contested(const Facts& facts, Exclusion& exclusion, const std::vector<s
     for (std::size_t k = i + 1; k < classes.size(); ++k) {
       const unsigned both = classes[i].mask & classes[k].mask;
       if ((both & ~bits) == 0) continue;  // nothing that is not known already
-      if (classes[i].block != classes[k].block && !keepApart(facts, classes[i], classes[k]) &&
-          !takeTurns(facts, exclusion, classes[i], classes[k]))
+      if (classes[i].block != classes[k].block && !doTheSame(classes[i], classes[k]) &&
+          !keepApart(facts, classes[i], classes[k]) && !takeTurns(facts, exclusion, classes[i], classes[k]))
         bits |= both;
     }
   }
@@ -316,7 +319,9 @@ extern constexpr Rule out006_written_in_several_blocks = {
     .needs = Needs::FlowThenSolver,
     .detects =
         "one bit or word written in two blocks, or in a block of the scan and in an interrupt routine, unless the text "
-        "lets only one of the blocks run at a time",
+        "lets only one of the blocks run at a time; a bit that an interrupt routine only sets and other blocks only "
+        "reset, "
+        "or the reverse, is a handshake and stays unreported, and so does what all blocks only set or only reset",
     .why = "the order of the calls decides which value stays, and interrupts come anywhere in the scan",
     .manual = "001:2084, 001:5434-5440",
     .bad =

@@ -157,5 +157,22 @@ TEST(LogicRules, EdgeStopsTheToggle) {
   EXPECT_EQ(level.of("LOG005")[0].confirmation, Confirmation::Unconfirmed);
 }
 
+/// R and R, S and S: whichever comes last, the bit is the same. Set here and reset there stays a question of order.
+TEST(OutputRules, SeveralBlocksThatDoTheSame) {
+  const auto of = [](const std::string& main, const std::string& routine) {
+    return Linted("ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nCALL SBR0\nNetwork 2\nLD I0.1\n" + main +
+                  "\nEND_ORGANIZATION_BLOCK\nSUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.2\n" + routine +
+                  "\nEND_SUBROUTINE_BLOCK\n")
+        .of("OUT006")
+        .size();
+  };
+  EXPECT_EQ(of("R Q0.0, 1", "R Q0.0, 1"), 0u);
+  EXPECT_EQ(of("S Q0.0, 1", "S Q0.0, 1"), 0u);
+  EXPECT_EQ(of("R Q0.0, 4", "R Q0.2, 8"), 0u);
+  EXPECT_EQ(of("RI Q0.0, 1", "R Q0.0, 1"), 0u);
+  EXPECT_EQ(of("S Q0.0, 1", "R Q0.0, 1"), 1u);
+  EXPECT_EQ(of("R Q0.0, 1", "= Q0.0"), 1u);
+}
+
 }  // namespace
 }  // namespace rungproof::testing
