@@ -137,11 +137,26 @@ class Scanner {
     }
   }
 
+  /// "PT=20", "PV = 20": a number of steps.
+  bool isBehindPreset(std::size_t at) const {
+    const auto skip = [&] {
+      while (at > 0 && text_[at - 1] == ' ') --at;
+    };
+    skip();
+    if (at == 0 || (text_[at - 1] != '=' && text_[at - 1] != ':')) return false;
+    --at;
+    skip();
+    if (at < 2) return false;
+    const std::string_view word = std::string_view(text_).substr(at - 2, 2);
+    return (word == "pt" || word == "pv") && (at == 2 || !isLatin(text_[at - 3]));
+  }
+
   std::optional<double> number() {
     const std::size_t begin = at_;
     while (at_ < text_.size() && isFigure(text_[at_])) ++at_;
-    const bool hasPoint =
-        at_ + 1 < text_.size() && (text_[at_] == '.' || text_[at_] == ',') && isFigure(text_[at_ + 1]);
+    const bool isPreset = isBehindPreset(begin);  // whole steps: a comma behind them begins something else
+    const bool hasPoint = !(isPreset && at_ < text_.size() && text_[at_] == ',') && at_ + 1 < text_.size() &&
+                          (text_[at_] == '.' || text_[at_] == ',') && isFigure(text_[at_ + 1]);
     if (hasPoint) {
       ++at_;
       while (at_ < text_.size() && isFigure(text_[at_])) ++at_;
@@ -167,6 +182,19 @@ class Scanner {
     return false;
   }
 
+  /// Whether a Russian "с" that ends there is "with" or "from" and not "s": a word follows that is none of those which
+  /// cannot stand behind a preposition.
+  bool isPreposition(std::size_t end) const {
+    if (end >= text_.size() || text_[end] != ' ') return false;
+    while (end < text_.size() && text_[end] == ' ') ++end;
+    if (end >= text_.size() || !isLetterLead(text_[end])) return false;
+    constexpr std::string_view behindTimes[] = {"после", "до",  "и",  "или", "на",  "при", "в",     "во",
+                                                "по",    "для", "от", "из",  "без", "не",  "через", "если"};
+    return std::ranges::none_of(behindTimes, [&](std::string_view word) {
+      return text_.compare(end, word.size(), word) == 0 && !continuesWord(text_, end + word.size());
+    });
+  }
+
   std::optional<double> unit() {
     for (const Unit& unit : units) {
       if (text_.compare(at_, unit.word.size(), unit.word) != 0) continue;
@@ -174,6 +202,7 @@ class Scanner {
       const bool isChinese = static_cast<unsigned char>(unit.word.front()) >= 0xE0;
       if (!isChinese && !isName_ && continuesWord(text_, end)) continue;
       if (isName_ && end < text_.size() && text_[end] != '_') continue;
+      if (unit.word == "с" && isPreposition(end)) continue;
       at_ = end;
       return unit.us;
     }

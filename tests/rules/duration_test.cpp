@@ -33,6 +33,26 @@ TEST(Durations, OtherNumbersAreNone) {
     EXPECT_EQ(read(text), "") << text;
 }
 
+/// A preset is a whole number of steps, so that a comma behind it is none of its own: "PT=20, 2 s".
+TEST(Durations, APresetHasNoFraction) {
+  EXPECT_EQ(read("PT=20,2秒"), "2000000");
+  EXPECT_EQ(read("pt = 50,5s"), "5000000");
+  EXPECT_EQ(read("PV=30,3 сек"), "3000000");
+  EXPECT_EQ(read("t=1,5 s"), "1500000") << "a time may have a fraction";
+  EXPECT_EQ(read("opt=1,5 s"), "1500000");
+}
+
+/// The Russian "с" is "s" and also "with" and "from".
+TEST(Durations, ARussianPrepositionIsNoSecond) {
+  EXPECT_EQ(read("таймер 5 с датчиком"), "");
+  EXPECT_EQ(read("бак 2 с насосом"), "");
+  EXPECT_EQ(read("2 с двигателя"), "");
+  EXPECT_EQ(read("5 с"), "5000000");
+  EXPECT_EQ(read("5 с, насос"), "5000000");
+  EXPECT_EQ(read("5 с после пуска"), "5000000");
+  EXPECT_EQ(read("100 мс"), "100000");
+}
+
 TEST(Durations, TimeBasesAreToldByTheWordBesideThem) {
   EXPECT_EQ(read("10 ms time base"), "10000b");
   EXPECT_EQ(read("100ms-Timer"), "100000b");
