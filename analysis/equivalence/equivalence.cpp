@@ -2,15 +2,20 @@
 #include "analysis/equivalence/equivalence.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
+#include <map>
 #include <numeric>
+#include <set>
 #include <unordered_set>
 
 #include "analysis/encoding/accelerate.hpp"
 #include "analysis/equivalence/both_runs.hpp"
 #include "analysis/equivalence/equality_proof.hpp"
+#include "analysis/equivalence/hidden_blocks.hpp"
 #include "analysis/equivalence/pair_exploration.hpp"
 #include "analysis/equivalence/scan_length.hpp"
 #include "analysis/portfolio/portfolio.hpp"
@@ -197,6 +202,7 @@ class ProgramComparison {
   void shorten(EquivalenceRun early) {
     method_ = "runs of both programs";
     until_ = seconds() + searchSeconds;
+    isExplored_ = true;
     if (early.scan > 1) {
       try {
         ProgramProduct product(before_, after_, match_, productOptions(false));
@@ -398,8 +404,95 @@ class ProgramComparison {
     const BothRuns runs{*before_.program, *after_.program, options_, observedOf(merged, open),
                         comparesStops(merged, open)};
     const auto shown = runs.judged(std::move(run));
-    if (shown) take(runs.plain(*shown));
-    return shown.has_value();
+    if (!shown) return false;
+    auto repeated = runs.judged(stimulusOnly(*shown));
+    if (!repeated && isExplored_) return false;  // a run that anyone can repeat is better than a shorter one
+    if (!repeated) {
+      repeated = runs.judged(without(*shown, isUndefinedRead));
+      if (repeated) repeated->beyondTrace = beyondTrace(runs, *repeated);
+    }
+    if (repeated)
+      take(runs.plain(*repeated));
+    else
+      noteUndefined(*shown);
+    return repeated.has_value();
+  }
+
+  /// The run without values inside a scan that belong to a kind.
+  static EquivalenceRun without(EquivalenceRun run, bool (*isLeftOut)(External)) {
+    for (std::vector<ReplayScan>* scans : {&run.before, &run.after}) {
+      for (ReplayScan& scan : *scans)
+        std::erase_if(scan.externals, [&](const ExternalValue& value) { return isLeftOut(value.site.kind); });
+    }
+    return run;
+  }
+  static EquivalenceRun withoutMoments(EquivalenceRun run) {
+    for (std::vector<ReplayScan>* scans : {&run.before, &run.after}) {
+      for (ReplayScan& scan : *scans) {
+        scan.script.ticks10.reset();
+        scan.script.ticks100.reset();
+        scan.script.ticks1.clear();
+      }
+    }
+    return run;
+  }
+  /// The run from power-up with nothing but what every stimulus gives: inputs, lengths of scans, events, devices.
+  static EquivalenceRun stimulusOnly(const EquivalenceRun& run) {
+    EquivalenceRun plain = withoutMoments(without(run, [](External) { return true; }));
+    plain.initialBefore.reset();
+    plain.initialAfter.reset();
+    return plain;
+  }
+  /// What the difference is gone without, or what of a run the reader of a trace passes over.
+  static std::vector<std::string> beyondTrace(const BothRuns& runs, const EquivalenceRun& run) {
+    struct Source {
+      const char* text;
+      bool (*isLeftOut)(External);
+    };
+    static constexpr Source sources[] = {
+        {"several reads of one input in a scan that differ",
+         [](External kind) { return kind == External::AnalogInput || kind == External::ImmediateInput; }},
+        {"the clock",
+         [](External kind) {
+           return kind == External::ClockByte || kind == External::IntervalClock || kind == External::CalendarDay ||
+                  kind == External::TimeOfDay;
+         }},
+        {"when within its base a timer begins", [](External kind) { return kind == External::TimerPhase; }},
+        {"what the manual or a device leaves open", [](External kind) {
+           return kind == External::NetworkStatus || kind == External::ReceivedByte ||
+                  kind == External::StationAddress || kind == External::UnknownStatus ||
+                  kind == External::UnknownResult || kind == External::AccessError;
+         }}};
+    std::vector<std::string> needed;
+    for (const Source& source : sources) {
+      if (!runs.judged(without(run, source.isLeftOut))) needed.emplace_back(source.text);
+    }
+    if (!runs.judged(withoutMoments(run))) needed.emplace_back("moments of 1 ms within a scan");
+    return needed;
+  }
+  void noteUndefined(const EquivalenceRun& run) {
+    std::set<std::string>& reads = undefined_[run.signal];
+    for (const auto& [side, scans] : {std::pair{&before_, &run.before}, {&after_, &run.after}}) {
+      for (const ReplayScan& scan : *scans) {
+        for (const ExternalValue& value : scan.externals) {
+          if (isUndefinedRead(value.site.kind) && value.value != quietExternal(value.site))
+            reads.insert(undefinedText(*side->program, value.site));
+        }
+      }
+    }
+  }
+  static std::string undefinedText(const Program& program, const ExternalSite& site) {
+    std::string what = site.kind == External::StackBottom   ? "a level of the logic stack that nothing has filled"
+                       : site.kind == External::LocalMemory ? fmt::format("local memory LB{}", site.index)
+                                                            : "a register at the start of an organization block";
+    for (const Pou& pou : program.pous) {
+      for (const Network& network : pou.networks) {
+        for (const Instruction& instruction : network.instructions) {
+          if (instruction.id == site.instruction) return fmt::format("{} ({})", what, placeText(program, instruction));
+        }
+      }
+    }
+    return what;
   }
   static std::vector<ObservedBit> observedOf(const JoinedSystem& merged, const std::vector<std::size_t>& open) {
     std::vector<ObservedBit> wanted;
@@ -421,6 +514,11 @@ class ProgramComparison {
 
   /// A run that the engine does not repeat: it rests on what is not modelled, or the tool is wrong.
   void unconfirmed(const std::string& name, const QuestionAnswer& answer) {
+    if (const auto found = undefined_.find(name); found != undefined_.end()) {
+      note(fmt::format("{} differs only where the programs find different undefined values: {}", name,
+                       fmt::join(found->second, ", ")));
+      return;
+    }
     const std::vector<std::string>& reasons = result_.approximations;
     if (reasons.empty() && !answer.usesFreeReals) {
       result_.disagreements.push_back(
@@ -463,10 +561,16 @@ class ProgramComparison {
     guardSide(before_, product.oldSide());
     guardSide(after_, product.newSide());
     guardRuns(product);
-    if ((comparesPulseOutputs() || dependOnDevices_) && !product.pulsesCorrespond(correspondence_.isMerged))
+    if (usesPulses() && (comparesPulseOutputs() || dependOnDevices_) && !product.pulsesCorrespond(correspondence_.isMerged))
       note(
           "what PLS makes of its outputs may differ in a way that is not compared: by profiles, or by constant "
           "levels");
+    for (const ExternalSite& site : product.sharedUndefinedReads()) {
+      const std::string text =
+          "undefined values that both programs read alike are the same: " + undefinedText(*before_.program, site);
+      if (std::ranges::find(result_.assumptions, text) == result_.assumptions.end())
+        result_.assumptions.push_back(text);
+    }
     const LongScans loops = longScansOf(*before_.program, *after_.program, match_);
     for (const std::string& text : loops.ofOne) note(text);
     if (loops.areInBoth)
@@ -505,6 +609,11 @@ class ProgramComparison {
     if (!isSettled && result_.equality == Equality::Equal) result_.equality = Equality::Unknown;
     return true;
   }
+  /// Without any PLS the generators stay off, whatever form their registers have.
+  bool usesPulses() const {
+    const auto isAny = [](const UsedPulses& used) { return std::ranges::any_of(used, std::identity{}); };
+    return isAny(pulseOutputsOf(*before_.program)) || isAny(pulseOutputsOf(*after_.program));
+  }
   bool comparesPulseOutputs() const {
     constexpr std::uint32_t pulseOutputs = 2;
     return options_.observed.empty() || std::ranges::any_of(result_.outputs, [](const ObservedVerdict& output) {
@@ -520,12 +629,20 @@ class ProgramComparison {
     TransitionSystem some = product.merged(correspondence_.isMerged, false, correspondence_.conditions).system;
     some.questions = {{"a run that meets the assumptions", some.graph->constant(true).node}};
     if (shallowSearch(some, 1, std::min(searchSeconds, left()))) return;
-    if (ask(some, left(), Effort::Full)[0].answer != Answer::Violated)
-      note("the assumptions contradict each other: no run meets them");
+    const Answer answer = ask(some, left(), Effort::Full)[0].answer;
+    if (answer == Answer::Proved) note("the assumptions contradict each other: no run meets them");
+    if (answer == Answer::Unknown) note("no run was found that meets the assumptions");
   }
-  /// Nothing is decided about an output that unread code may decide.
+  /// Nothing is decided about an output that unread code may decide, nor beside a block that one program hides.
   void guardUnread() {
     bool isOpen = false;
+    const std::vector<std::string> hidden = hiddenInOneOnly(*before_.program, *after_.program);
+    for (const std::string& reason : hidden) note(reason);
+    for (ObservedVerdict& output : result_.outputs) {
+      if (hidden.empty()) break;
+      output.equality = Equality::Unknown;
+      isOpen = true;
+    }
     for (ObservedVerdict& output : result_.outputs) {
       if (result_.run && output.name != result_.run->signal) continue;
       for (const auto& [side, address] : {std::pair{&before_, output.before}, {&after_, output.after}}) {
@@ -578,7 +695,9 @@ class ProgramComparison {
   double until_ = 1e9;                        ///< seconds since the start, while that is less
   RealScope reals_ = RealScope::Comparisons;  ///< REAL operations that are asked about bit by bit
   Correspondence correspondence_;
+  bool isExplored_ = false;  ///< a run of the engine is there already
   const char* method_ = "";
+  std::map<std::string, std::set<std::string>> undefined_;  ///< by output: reads without which it does not differ
   bool dependOnDevices_ = false;  ///< outputs that are equal
   int depth_ = unlimited;
   Equivalence result_;

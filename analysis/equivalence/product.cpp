@@ -107,6 +107,12 @@ ProgramProduct::ProgramProduct(const Side& before, const Side& after, const Prog
            shaped(options.encoder, *after.program, *before.program, nullptr, options.trailAfter, newRequests_)),
       relations_(old_.encoding(), new_.encoding()) {
   isSame_ = isSameProgram(before, after);
+  for (const NetworkPair& pair : match_.networks) {
+    if (!pair.isSame || !pair.after) continue;
+    for (const Instruction& instruction :
+         after.program->pous[pair.after->pou].networks[pair.after->network].instructions)
+      sameInstructions_.insert(instruction.id);
+  }
   pulseForms_ = {pulseForm(before.program->target), pulseForm(after.program->target)};
   for (const Cell& cell : old_.encoding().cells()) {
     for (std::uint32_t i = 0; !cell.place.isRegister && i < cell.place.width; ++i) {

@@ -1,12 +1,14 @@
 // Two programs side by side as one transition system: the same physical inputs, the same scan lengths, each its own
 // memory. Inputs are paired by address (AddressPairs), what happens inside a scan by instructions that stand for each
-// other (ProgramMatch): the same immediate read in the same place of matched networks gives the same value. Values that
-// the manual leaves undefined (stack bottom, local memory, results after errors) are each program's own.
+// other (ProgramMatch): the same immediate read in the same place of matched networks gives the same value. Undefined
+// local memory, stack levels and registers are the same where equal networks read them (sharedUndefinedReads names what
+// an equality rests on); everything undefined is the same in one and the same program, and else each program's own.
 //
 // NEW's states can be merged with those of OLD that they always equal, which equivalence.cpp finds out.
 // Tested by tests/equivalence.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -23,6 +25,11 @@
 #include "analysis/unread/unread_code.hpp"
 
 namespace rungproof {
+
+/// What the manual leaves undefined until the program has written it, and no stimulus gives.
+constexpr bool isUndefinedRead(External kind) {
+  return kind == External::LocalMemory || kind == External::StackBottom || kind == External::RegisterAtStart;
+}
 
 /// In front of an address of NEW where both programs are spoken of.
 inline constexpr std::string_view newSidePrefix = "new.", oldSidePrefix = "old.";
@@ -139,6 +146,8 @@ class ProgramProduct {
   /// Whether the pulse outputs get the same commands in every scan, as far as states that are merged show it: PLS
   /// drives its outputs past the process image.
   bool pulsesCorrespond(const std::vector<bool>& isMerged);
+  /// Undefined values that decide outputs and are taken to be the same for both programs, in OLD; after merged().
+  std::vector<ExternalSite> sharedUndefinedReads();
   /// By output, then RUN: it depends on what a device does for a request, which is the same for both programs.
   std::vector<bool> dependsOnDevices(const JoinedSystem& joined);
   /// States of OLD that are one bit.
@@ -203,6 +212,8 @@ class ProgramProduct {
 
   const ProductOptions options_;
   const ProgramMatch& match_;
+  std::set<std::uint32_t> sameInstructions_;  ///< of NEW, in networks that OLD has too
+  std::map<Node, ExternalSite> sharedUndefined_;  ///< by nodes of OLD's graph
   RequestRecord oldRequests_, newRequests_;  ///< the encodings tell them
   AskedProperties old_, new_;
   TransitionSystem oldSystem_, newSystem_;

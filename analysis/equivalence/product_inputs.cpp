@@ -101,7 +101,8 @@ void ProgramProduct::replaceExternals(SideCopy& copy) {
     known[{e.site.kind, e.site.index, isBetween(e) ? noPartner : e.site.instruction}].push_back(e.node);
   std::map<Site, std::size_t> count;
   for (const ExternalInput& e : new_.encoding().externals()) {
-    if (!isOfTheWorld(e.site.kind)) continue;
+    const bool isSharedUndefined = isUndefinedRead(e.site.kind) && sameInstructions_.contains(e.site.instruction);
+    if (!isOfTheWorld(e.site.kind) && !isSharedUndefined && !isSame_) continue;
     const std::size_t k = count[{e.site.kind, e.site.index, isBetween(e) ? noPartner : e.site.instruction}]++;
     if (e.node == noNode || copy.isReplaced(e.node)) continue;
     std::uint32_t index = e.site.index;
@@ -113,9 +114,34 @@ void ProgramProduct::replaceExternals(SideCopy& copy) {
     const std::uint32_t instruction = isBetween(e) ? noPartner : match_.beforeOf[e.site.instruction];
     if (instruction == noPartner && !isBetween(e)) continue;
     const auto found = known.find({e.site.kind, index, instruction});
-    if (found != known.end() && k < found->second.size() && found->second[k] != noNode)
-      copy.replace(e.node, found->second[k]);
+    if (found == known.end() || k >= found->second.size() || found->second[k] == noNode) continue;
+    const Node same = found->second[k];
+    if (old_.encoding().graph()[same].width != new_.encoding().graph()[e.node].width) continue;
+    copy.replace(e.node, same);
+    if (isUndefinedRead(e.site.kind))
+      sharedUndefined_.emplace(same, ExternalSite{e.site.kind, index, match_.beforeOf[e.site.instruction]});
   }
+}
+
+std::vector<ExternalSite> ProgramProduct::sharedUndefinedReads() {
+  const Graph& graph = old_.encoding().graph();
+  std::map<Node, Node> nextOf;
+  for (const StateVariable& state : oldSystem_.states) nextOf.emplace(state.node, state.next);
+  std::vector<Node> open = {oldRuns_};
+  for (const Output& output : outputs_) open.push_back(output.oldValue);
+  std::set<Node> seen;
+  while (!open.empty()) {  // all that decides the outputs, through any number of scans
+    const Node node = open.back();
+    open.pop_back();
+    if (node == noNode || !seen.insert(node).second) continue;
+    open.insert(open.end(), graph[node].child.begin(), graph[node].child.end());
+    if (const auto state = nextOf.find(node); state != nextOf.end()) open.push_back(state->second);
+  }
+  std::vector<ExternalSite> sites;
+  for (const auto& [node, site] : sharedUndefined_) {
+    if (seen.contains(node)) sites.push_back(site);
+  }
+  return sites;
 }
 
 /// The same event in front of instructions that stand for each other, and between scans.

@@ -158,6 +158,9 @@ void DifferenceReport::describe(Comparison& comparison, const std::string& form)
     const ChoiceInfo& info = choiceInfo(choice);
     comparison.notes.push_back(fmt::format("under {0} = {1} (sim: --choice {0}={1})", info.key, info.values[value]));
   }
+  for (const std::string& needed : run_.beyondTrace)
+    comparison.notes.push_back(
+        fmt::format("a trace does not hold {}, which this run needs: 'rungproof sim' does not repeat it", needed));
   for (const bool isOld : {true, false}) {
     const Program& program = isOld ? *sides_.runBefore : *sides_.runAfter;
     const std::string start = startText(program, options_.prover.choices, witnessOf(run_, isOld));
