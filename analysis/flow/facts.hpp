@@ -1,6 +1,6 @@
 // Facts: everything that rules may ask about a program, built once and shared by all of them. Construction and every
 // question are linear in the program or constant, so that linting on save stays free.
-// Tested by tests/rules/facts_test.cpp; cost by tests/rules/scale_test.cpp.
+// Tested by tests/rules/facts_test.cpp; cost by tests/timing/lint_growth_test.cpp.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A long program for measurements. Used by tests/rules/scale_test.cpp, tests/timing and the benchmark.
+// A long program for measurements. Used by tests/timing/lint_growth_test.cpp, tests/timing and the benchmark.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // The work whose cost is measured on a long program: reading, building the facts, every rule. Used by
-// tests/rules/scale_test.cpp and the benchmark.
+// tests/timing/lint_growth_test.cpp and the benchmark.
 #pragma once
 
 #include <string>

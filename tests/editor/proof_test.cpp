@@ -1,5 +1,4 @@
 // "Prove this property": lens, run, verdict, cancelling, and that typing goes on meanwhile.
-#include <chrono>
 
 #include "tests/editor/editor_session.hpp"
 
@@ -85,15 +84,13 @@ TEST(Proof, TypingGoesOnWhileAProofRuns) {
   params["workDoneToken"] = "t";
   const int proof = session.begin("workspace/executeCommand", params);
   EXPECT_EQ(textAt(session.notification("$/progress"), "params/value/kind"), "begin");
-  const auto begin = std::chrono::steady_clock::now();
   session.notify("textDocument/didChange", {{"textDocument", Json{{"uri", untitled}, {"version", 2}}},
                                             {"contentChanges", Json::array({Json{{"text", longSearch + "\n"}}})}});
   session.nextDiagnostics();
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
   session.notify("$/cancelRequest", {{"id", proof}});
   const Json answer = session.answer(proof);
-  EXPECT_TRUE(numberAt(answer, "error/code") == "-32800" || !textAt(answer, "result/verdict").empty()) << answer.dump();
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
+  EXPECT_EQ(numberAt(answer, "error/code"), "-32800")
+      << "diagnostics that wait for the proof find it ended: " << answer.dump();
 }
 
 }  // namespace

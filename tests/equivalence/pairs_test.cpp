@@ -14,7 +14,6 @@ TEST_P(HandStated, HasTheVerdictThatWasReasonedOut) {
   EXPECT_EQ(equalityText(found.equality), equalityText(pair.truth)) << pair.why;
   EXPECT_EQ(found.run.has_value(), pair.truth == Equality::Different);
   EXPECT_TRUE(found.disagreements.empty());
-  EXPECT_LT(found.seconds, 60);
   for (const std::string& note : found.notes) EXPECT_EQ(note, "") << "a note is only made where nothing is decided";
 }
 

@@ -3,12 +3,13 @@
 // the square of the length costs a hundred times); 100,000 take half a second.
 #include <gtest/gtest.h>
 
+#include "analysis/lint/lint.hpp"
+#include "frontend/input/project.hpp"
 #include "tests/bench/long_program.hpp"
 #include "tests/bench/read_and_lint.hpp"
 #include "tests/machine_pace.hpp"
-#include "tests/rules/lint.hpp"
 
-namespace rungproof::testing {
+namespace rungproof {
 namespace {
 
 /// Seconds to read a text, build the facts and run all rules.
@@ -45,4 +46,4 @@ TEST(Scale, OneBitForEverything) {
 }
 
 }  // namespace
-}  // namespace rungproof::testing
+}  // namespace rungproof
