@@ -22,7 +22,7 @@ struct Step7Page {
 std::optional<Step7Page> step7Page(std::string_view word, Mnemonics mnemonics, const Paint& paint);
 /// Whether the family has an instruction of that name.
 bool isStep7Instruction(std::string_view word);
-/// The places of programs beside which nothing is proved, one each: the lines of README and of the page "coverage".
+/// The places of programs beside which nothing is proved, one each: the lines of the guide and of the page "coverage".
 std::vector<std::string> step7NotCovered();
 
 }  // namespace rungproof

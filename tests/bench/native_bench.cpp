@@ -1,7 +1,7 @@
 // The engine against gcc -O2: the same program in C, the same inputs, and in the end the same memory. One trace, and
 // many side by side, of which each scan of a trace counts. Prints for each program the median of the ratios of pairs
 // that were measured one behind the other, and their spread. Ends with 1 if the memories differ or a ratio misses its
-// bar. --kept asks for what was reached instead of the bars; --markdown writes the table that README quotes.
+// bar. --kept asks for what was reached instead of the bars; --markdown writes the table that the guide quotes.
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <unistd.h>

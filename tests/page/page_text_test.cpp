@@ -70,7 +70,7 @@ TEST(Requirement, OfAProgramIsNoDescriptionOfTheBlock) {
   EXPECT_EQ(requirementAbove(file, 5), "SR-2: the guard counts.");
 }
 
-/// README: 001 is the System Manual of 2004; its chapter 4 begins with line 1171 of the text, chapter 6 holds 2640.
+/// CONTRIBUTING: 001 is the System Manual of 2004; its chapter 4 begins with line 1171 of the text, chapter 6 holds 2640.
 TEST(ManualTitles, StandForReferences) {
   const std::string text = withManualTitles("copied first (001:1719-1750), see 001:13997");
   EXPECT_EQ(text.find("001:"), std::string::npos) << text;

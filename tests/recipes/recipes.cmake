@@ -1,5 +1,5 @@
 # Adds a rule, a command, a report, a trace format, a reader, an instruction, a CPU, an option and an engine to a copy of
-# the sources by README's recipes and nothing else; the copy must be configured with them, and what names them compile.
+# the sources by CONTRIBUTING's recipes and nothing else; the copy must be configured with them, and what names them compile.
 file(REMOVE_RECURSE ${SCRATCH})
 file(COPY ${SOURCE}/CMakeLists.txt ${SOURCE}/LICENSE ${SOURCE}/ir ${SOURCE}/engine ${SOURCE}/analysis ${SOURCE}/frontend DESTINATION ${SCRATCH})
 

@@ -1,5 +1,5 @@
 // bench_peers: our prover against berkeley-abc on our own exports of the same obligations. Prints the figures, rewrites
-// the table that README quotes and adds a line to the history where these are asked for. Exit code 1: a contradiction.
+// the table that the guide quotes and adds a line to the history where these are asked for. Exit code 1: a contradiction.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

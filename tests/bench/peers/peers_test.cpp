@@ -1,5 +1,5 @@
 // The comparison with other provers: that a handful of obligations goes through it with one answer from all, that its
-// figures are computed as they are named, and that README quotes the table which was measured.
+// figures are computed as they are named, and that the guide quotes the table which was measured.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -154,19 +154,19 @@ std::map<std::string, std::string> lastOfHistory() {
   return fields;
 }
 
-TEST(Peers, ReadmeQuotesTheLastMeasurement) {
+TEST(Peers, TheGuideQuotesTheLastMeasurement) {
   std::map<std::string, std::string> last = lastOfHistory();
   ASSERT_EQ(last.size(), 16U);
-  std::ifstream file(RUNGPROOF_SOURCE_DIR "/README.md");
-  std::stringstream readme;
-  readme << file.rdbuf();
+  std::ifstream file(RUNGPROOF_SOURCE_DIR "/frontend/guide/80_measured.md");
+  std::stringstream chapter;
+  chapter << file.rdbuf();
   const auto share = fmt::format("{:.1f} %. Lost: {}. Left open where a peer settles: {}.",
                                  100 * std::stod(last["within"]), last["lost"], last["left_open"]);
   for (const std::string& quoted : {"Measured " + last["date"] + ": " + last["obligations"] + " obligations", share,
                                     fmt::format("rungproof settles {} in {:.1f} s, {} of them alone", last["settled"],
                                                 std::stod(last["seconds"]), last["alone"]),
                                     fmt::format("| `{}` |", last["best_peer"]), "version " + last["version"]})
-    EXPECT_NE(readme.str().find(quoted), std::string::npos) << quoted;
+    EXPECT_NE(chapter.str().find(quoted), std::string::npos) << quoted;
   EXPECT_GE(std::stoi(last["obligations"]), 300);
   EXPECT_LE(std::stod(last["ratio"]), 0.5);
   EXPECT_EQ(last["left_open"], "0");
