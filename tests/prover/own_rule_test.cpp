@@ -176,7 +176,7 @@ TEST(OwnRule, AsksAboutHazards) {
   EXPECT_EQ(none[0].outcome, Outcome::Proved);
   const std::vector<ProofResult> divided = asked("Network 1\nLD I0.0\n/I IW2, VW0\n");
   ASSERT_EQ(divided.size(), 1U);
-  EXPECT_TRUE(divided[0].property.name.ends_with("at /I IW2, VW0")) << divided[0].property.name;
+  EXPECT_TRUE(divided[0].property.name.starts_with("/I IW2, VW0: never")) << divided[0].property.name;
   EXPECT_EQ(divided[0].outcome, Outcome::Violated);
 }
 
