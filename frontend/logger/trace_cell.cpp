@@ -46,6 +46,9 @@ std::optional<double> valueIn(std::string_view text, const TraceSignal& signal, 
     reason = fmt::format("'{}' is no value for {}", text, signal.name);
     return std::nullopt;
   }
+  const bool isBits = text.starts_with("16#") || text.starts_with("2#");
+  if (signal.type == SignalType::Real && isBits)
+    return numberOf(static_cast<std::uint64_t>(*number), SignalType::Real, signal.width());
   if (signal.isReal()) return number;
   if (*number != std::floor(*number)) {
     reason = fmt::format("{} takes whole numbers, not {}", signal.name, text);
