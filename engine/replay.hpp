@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/concrete.hpp"
+#include "engine/given_values.hpp"
 #include "engine/instruction_observer.hpp"
 #include "engine/run_time_error.hpp"
 #include "engine/scan_script.hpp"
@@ -17,15 +18,6 @@
 #include "ir/s7200/plan.hpp"
 
 namespace rungproof {
-
-/// Value of an external site that the run reaches.
-struct ExternalValue {
-  ExternalSite site;
-  std::uint64_t value;
-};
-
-/// The value of a site of which nothing is said: 0, but the clock shows what it shows after a loss of power (001:2918).
-std::uint64_t quietExternal(const ExternalSite& site);
 
 /// A direct operand set before a scan: I the physical input, others the memory itself.
 struct PresetValue {
@@ -75,7 +67,6 @@ class ReplayRun {
   std::size_t unusedExternals() const;
 
  private:
-  class Script;
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

@@ -1,21 +1,52 @@
 // Plays rows in front of the scans they belong to.
 #include "engine/stimulus.hpp"
 
+#include "engine/start_up.hpp"
 #include "ir/s7200/special_memory.hpp"
 
 namespace rungproof {
+
+SimulatorOptions wholeOptions(const Choices& choices) {
+  SimulatorOptions options;
+  options.choices = choices;
+  options.engine = EngineKind::Reference;
+  return options;
+}
+
+void beginWhole(Simulator& simulator, const Stimulus& stimulus, const Choices& choices) {
+  if (stimulus.start.empty()) return;
+  Concrete::Store store = powerUpState(simulator.plan(), choices);
+  for (const StartValue& start : stimulus.start) {
+    if (start.reg) {
+      if (start.index < registerSize(store, *start.reg)) store.set(*start.reg, start.index, start.value, true);
+    } else if (start.index < store.area(start.area).size()) {
+      store.area(start.area)[start.index] = static_cast<std::uint8_t>(start.value);
+    }
+  }
+  simulator.setStore(store);
+}
+
+std::uint32_t registerSize(const Concrete::Store& store, Reg reg) {
+  return Concrete::Store::isTerminal(reg) ? static_cast<std::uint32_t>(store.terminals(reg).size() * 8)
+                                          : store.count(reg);
+}
 
 ScanRequest StimulusPlayer::next() {
   ScanRequest request;
   const std::uint64_t scan = simulator_.scanCount() + 1;
   const std::uint64_t start = simulator_.timeUs();
-  script_.events.clear();
-  script_.writes.clear();
+  script_ = {};
+  script_.needsCauses = stimulus_.isWhole;
+  if (given_ != nullptr) given_->load({});
   const auto isDue = [&](const StimulusRow& row) {
     return stimulus_.isByTime ? row.timeUs <= start : row.scan <= scan;
   };
   while (!isDone() && isDue(stimulus_.rows[row_])) apply(stimulus_.rows[row_++], request);
   request.lengthUs = scanUs_;
+  if (given_ != nullptr) {
+    given_->begin();
+    simulator_.readUnknownAsZero(!given_->givesUnknownBits());
+  }
   if (!stimulus_.isScripted) return request;
   if (const Flow* main = simulator_.plan().main(); main != nullptr && !main->steps.empty()) {
     std::vector<ScanScript::Event> first;
@@ -38,6 +69,11 @@ void StimulusPlayer::apply(const StimulusRow& row, ScanRequest& request) {
     const std::uint64_t value = valueOf(*row.values[i], column.signal.type, column.signal.width());
     act(column, value);
   }
+  for (const PresetValue& preset : row.presets) simulator_.write(preset.operand, preset.value);
+  script_.ticks1.insert(script_.ticks1.end(), row.ticks.begin(), row.ticks.end());
+  if (row.ticks10) script_.ticks10 = row.ticks10;
+  if (row.ticks100) script_.ticks100 = row.ticks100;
+  if (given_ != nullptr) given_->load(row.externals);
   for (const auto& [port, character] : row.characters) simulator_.devices().ports.send(port, character);
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/replay.hpp"
 #include "engine/simulator.hpp"
 #include "engine/trace.hpp"
 #include "ir/s7300/start_information.hpp"
@@ -41,15 +42,28 @@ struct StimulusColumn {
 };
 
 struct StimulusRow {
-  std::uint64_t scan = 0;                       ///< from 1, if keyed by scan
-  std::uint64_t timeUs = 0;                     ///< if keyed by time
-  std::optional<std::uint32_t> scanUs{};        ///< length of the scans from here on
-  std::vector<int> events{};                    ///< at the start of the scan
-  std::vector<ScanScript::Event> placed{};      ///< within it, in the order of execution
-  std::vector<ScanScript::Write> writes{};      ///< of devices
+  std::uint64_t scan = 0;                   ///< from 1, if keyed by scan
+  std::uint64_t timeUs = 0;                 ///< if keyed by time
+  std::optional<std::uint32_t> scanUs{};    ///< length of the scans from here on
+  std::vector<int> events{};                ///< at the start of the scan
+  std::vector<ScanScript::Event> placed{};  ///< within it, in the order of execution
+  std::vector<ScanScript::Write> writes{};  ///< of devices
+  std::vector<ScanScript::Tick> ticks{};    ///< Stimulus::isWhole: 1 ms ticks within the scan
+  std::optional<std::uint32_t> ticks10{};   ///< Stimulus::isWhole: as ScanScript has them
+  std::optional<std::uint32_t> ticks100{};
+  std::vector<ExternalValue> externals{};       ///< Stimulus::isWhole: what the engine asks for, in that order
+  std::vector<PresetValue> presets{};           ///< Stimulus::isWhole: inputs and memory without a column of their own
   std::vector<std::optional<double>> values{};  ///< by column
   /// Port and character (SerialPorts::breakSignal: a break), in the order in which they are sent.
   std::vector<std::pair<std::uint32_t, int>> characters{};
+};
+
+/// What a byte of an area or a register holds when the run begins.
+struct StartValue {
+  std::optional<Reg> reg{};  ///< nothing: a byte of the area
+  Area area = Area::V;
+  std::uint32_t index = 0;
+  std::uint64_t value = 0;
 };
 
 struct Stimulus {
@@ -58,12 +72,24 @@ struct Stimulus {
   bool isByTime = false;
   /// Some interrupt stands at its place in a scan, or writes of devices are given: nothing comes but that of the rows.
   bool isScripted = false;
+  /// Everything that the surroundings do is in the rows, as a witness has it; what they do not give is 0.
+  bool isWhole = false;
+  std::vector<StartValue> start{};  ///< isWhole: beside what power-up leaves
 };
+
+/// How many of a register a state has.
+std::uint32_t registerSize(const Concrete::Store& store, Reg reg);
+/// Options of a simulator that plays a stimulus which is whole: those of replays.
+SimulatorOptions wholeOptions(const Choices& choices);
+/// Puts a simulator, which has just been made, where a stimulus that is whole begins.
+void beginWhole(Simulator& simulator, const Stimulus& stimulus, const Choices& choices);
 
 /// Plays a stimulus into a simulator.
 class StimulusPlayer {
  public:
-  StimulusPlayer(Simulator& simulator, const Stimulus& stimulus) : simulator_(simulator), stimulus_(stimulus) {}
+  /// `given`: the simulator's outside, for a stimulus that is whole; nullptr otherwise.
+  StimulusPlayer(Simulator& simulator, const Stimulus& stimulus, GivenValues* given = nullptr)
+      : simulator_(simulator), stimulus_(stimulus), given_(given) {}
 
   /// Sets the environment for the next scan and says what that scan is to be. Call once in front of every scan.
   ScanRequest next();
@@ -76,6 +102,7 @@ class StimulusPlayer {
 
   Simulator& simulator_;
   const Stimulus& stimulus_;
+  GivenValues* given_;
   std::size_t row_ = 0;
   std::uint32_t scanUs_ = 0;
   ScanScript script_;  ///< of the next scan, if the stimulus is scripted

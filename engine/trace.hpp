@@ -40,6 +40,7 @@ struct TraceRow {
   std::vector<std::optional<double>> values;  ///< by signal; nothing: any value
   std::string events{};                       ///< interrupts of the scan at their places, as a stimulus writes them
   std::string devices{};                      ///< what devices wrote, as a stimulus writes it
+  std::string given{};      ///< Trace::isWhole: what else the surroundings did, as a stimulus writes it
   std::string newEvents{};  ///< Trace::hasTwoEvents: the interrupts of the second program; `events` are the first one's
 };
 
@@ -50,6 +51,8 @@ struct Trace {
   bool hasTimes = true;       ///< TraceRow::timeUs is known
   bool hasTwoEvents = false;  ///< of two programs, whose interrupts come at different places
   bool hasDevices = false;    ///< devices did what TraceRow::devices says, and nothing else
+  bool isWhole = false;     ///< TraceRow::given and startValues are known: a stimulus that repeats the run exactly
+  std::string startValues{};  ///< isWhole: what memory and registers hold at the start beside what power-up leaves
   /// Columns of the first row that only a stimulus needs: where clocks start ("CLOCK.tick", ms).
   std::vector<std::pair<std::string, std::uint64_t>> start{};
   bool hasEvents() const {

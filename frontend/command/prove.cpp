@@ -20,6 +20,7 @@
 #include "frontend/files/sha256.hpp"
 #include "frontend/input/proof_input.hpp"
 #include "frontend/result_cache.hpp"
+#include "frontend/simulation/given_columns.hpp"
 #include "frontend/simulation/witness_drawing.hpp"
 #include "frontend/simulation/witness_report.hpp"
 #include "frontend/text/excerpt.hpp"
@@ -82,7 +83,8 @@ std::string fileIn(const std::string& directory, const std::string& name) {
 /// Writes the witness as CSV (also a stimulus), VCD and SVG; gives the name of the CSV file.
 std::string writeTraces(const Context& context, const std::string& directory, const std::string& stem,
                         const Program& program, const Choices& choices, const ProofResult& result) {
-  const Trace trace = traceOf(program, choices, *result.witness, touchedSignals(program));
+  Trace trace = traceOf(program, choices, *result.witness, touchedSignals(program));
+  addGiven(program, choices, *result.witness, trace);
   std::string first;
   for (const char* ending : {".csv", ".vcd", ".svg"}) {
     const std::string name = fileIn(directory, stem + ending);

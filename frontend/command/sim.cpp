@@ -249,9 +249,9 @@ class ScanLengths {
 using AfterScan = std::function<bool()>;
 
 /// The failure of a run that turns out too long.
-std::optional<Failure> play(Simulator& simulator, const Job& job, std::uint64_t seed, const Context& context,
-                            const AfterScan& afterScan) {
-  StimulusPlayer player(simulator, job.stimulus);
+std::optional<Failure> play(Simulator& simulator, GivenValues* given, const Job& job, std::uint64_t seed,
+                            const Context& context, const AfterScan& afterScan) {
+  StimulusPlayer player(simulator, job.stimulus, given);
   ScanLengths lengths(job.scanTime, seed);
   Progress progress(context);
   std::optional<Failure> failure;
@@ -270,11 +270,11 @@ std::optional<Failure> play(Simulator& simulator, const Job& job, std::uint64_t 
 }
 
 /// `drawings`: networks to be drawn for every scan, or nullptr.
-std::optional<Failure> record(Simulator& simulator, const Job& job, std::uint64_t seed, const Context& context,
-                              ScanDrawings* drawings, Trace& trace) {
+std::optional<Failure> record(Simulator& simulator, GivenValues* given, const Job& job, std::uint64_t seed,
+                              const Context& context, ScanDrawings* drawings, Trace& trace) {
   trace.signals = job.signals;
   if (drawings != nullptr) simulator.observe(&drawings->recorder());
-  return play(simulator, job, seed, context, [&] {
+  return play(simulator, given, job, seed, context, [&] {
     if (job.keepsTrace) trace.rows.push_back(sampleRow(simulator, trace.signals));
     if (drawings != nullptr) drawings->add();
     return true;
@@ -282,7 +282,8 @@ std::optional<Failure> record(Simulator& simulator, const Job& job, std::uint64_
 }
 
 /// Writes the trace while the run goes on. False: it could not be written, or the run was too long; the reason is said.
-bool stream(Simulator& simulator, const Job& job, std::uint64_t seed, const Context& context, SignalNames names) {
+bool stream(Simulator& simulator, GivenValues* given, const Job& job, std::uint64_t seed, const Context& context,
+            SignalNames names) {
   constexpr std::size_t piece = 1 << 16;  // bytes
   const TraceFormat& format = *traceFormatFor(*job.stream);
   Trace head;
@@ -294,7 +295,7 @@ bool stream(Simulator& simulator, const Job& job, std::uint64_t seed, const Cont
     TraceRow row;
     bool isTaken = true;
     format.appendHead(head, text);
-    failure = play(simulator, job, seed, context, [&] {
+    failure = play(simulator, given, job, seed, context, [&] {
       sampleRow(simulator, head.signals, row);
       format.appendRow(head, row, text);
       if (text.size() < piece) return true;
@@ -339,14 +340,19 @@ Exit run(const Arguments& arguments, Context& context) {
   options.phaseMs = context.settings.phaseMs();
   options.engine = arguments.engineKind();
   options.seed = static_cast<std::uint64_t>(std::stoull(std::string(context.settings.text(Opt::Seed))));
-  Simulator simulator(program, options);
+  GivenValues givenValues(options.choices);
+  GivenValues* const given = job.stimulus.isWhole ? &givenValues : nullptr;
+  Simulator simulator(program, given != nullptr ? wholeOptions(options.choices) : options, given);
+  givenValues.setState(simulator.store());
+  if (given != nullptr) beginWhole(simulator, job.stimulus, options.choices);
   const auto isPage = [](const std::string& name) { return name.ends_with(".html"); };
   std::optional<ScanDrawings> drawings;
   if (std::ranges::any_of(arguments.traces, isPage)) drawings.emplace(program);
   Trace trace;
   if (job.stream) {
-    if (!stream(simulator, job, options.seed, context, arguments.signalNames())) return Exit::Failed;
-  } else if (auto failure = record(simulator, job, options.seed, context, drawings ? &*drawings : nullptr, trace))
+    if (!stream(simulator, given, job, options.seed, context, arguments.signalNames())) return Exit::Failed;
+  } else if (auto failure =
+                 record(simulator, given, job, options.seed, context, drawings ? &*drawings : nullptr, trace))
     return context.fail(*failure);
   const TraceDrawings drawn = drawings ? drawings->take() : TraceDrawings{};
 
@@ -363,6 +369,11 @@ Exit run(const Arguments& arguments, Context& context) {
       return Exit::Failed;
   }
   describeRun(report, simulator, job.scanTime);
+  if (given != nullptr && given->unused() > 0)
+    context.err << fmt::format(
+        "rungproof: the run did not ask for {} values of column 'given': the program, its CPU or "
+        "its choices are not those of the witness\n",
+        given->unused());
   if (const std::string text = stopText(simulator); !text.empty() && !context.settings.flag(Opt::Quiet))
     context.err << fmt::format("rungproof: {} in scan {}\n", text, simulator.scanCount());
   if (job.expected) {
@@ -421,6 +432,9 @@ extern constexpr Command simCommand = {
         "scan in which the time falls. A written CSV trace is a stimulus as well. In a trace that 'rungproof equiv'\n"
         "wrote, columns such as old.Q0.0, new.Q0.0 and new.event belong to one of the programs: --side says which one\n"
         "this is.\n"
+        "A witness of 'rungproof prove --traces' has the columns 'given' and 'start': all that the surroundings did\n"
+        "and that no address tells, so that the run is repeated exactly ('rungproof guide', chapter on daily work).\n"
+        "Then only columns of inputs set anything beside them.\n"
         "CLOCK.tick, CLOCK.second and CLOCK.minute say how many ms the time bases of the timers, SM0.5 and\n"
         "SM0.4 are into their periods.\n"
         "Files of loggers, oscilloscopes and simulators are read too: with another first column --time-column and\n"

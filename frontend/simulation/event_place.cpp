@@ -62,7 +62,8 @@ std::optional<std::uint32_t> countBehind(std::string_view& text, char mark) {
   return number;
 }
 
-/// "@17", and nothing for the start of the scan.
+}  // namespace
+
 std::string placeText(const Program& program, const ScanPlace& place) {
   if (place.instruction == ScanPlace::startOfScan) return "";
   if (place.instruction == ScanPlace::afterProgram) return "@end";
@@ -81,22 +82,22 @@ std::string placeText(const Program& program, const ScanPlace& place) {
   return text;
 }
 
-}  // namespace
-
-std::string eventsText(const Program& program, const std::vector<ScanScript::Event>& events) {
+std::string eventsText(const Program& program, const std::vector<ScanScript::Event>& events, bool withQueue) {
   std::string text;
   std::size_t together = 1;
   for (std::size_t i = 0; i < events.size(); ++i) {
     const ScanScript::Event& event = events[i];
-    if (event.isFromQueue) continue;
+    if (event.isFromQueue && !withQueue) continue;
     const bool isSame = i + 1 < events.size() && events[i + 1].event == event.event &&
-                        events[i + 1].place == event.place && !events[i + 1].isFromQueue;
+                        events[i + 1].place == event.place && events[i + 1].isFromQueue == event.isFromQueue;
     if (event.isWithNext && isSame) {
       ++together;
       continue;
     }
     if (!text.empty()) text += ' ';
     if (together > 1) text += fmt::format("{}x", std::exchange(together, 1));
+    if (withQueue && event.isFromQueue) text += 'q';
+    if (withQueue && event.isWithNext) text += '&';
     text += fmt::format("{}{}", shownEvent(event.event), placeText(program, event.place));
   }
   return text;

@@ -17,7 +17,10 @@
 namespace rungproof {
 
 /// The events that come, separated by blanks; "3x10@17" are three at once. What runs out of the queue needs no mention.
-std::string eventsText(const Program& program, const std::vector<ScanScript::Event>& events);
+/// `withQueue`: all the same, as "q10@17"; and "&10@17" for one that comes together with the next.
+std::string eventsText(const Program& program, const std::vector<ScanScript::Event>& events, bool withQueue = false);
+/// "@17", and nothing for the start of the scan.
+std::string placeText(const Program& program, const ScanPlace& place);
 /// "VB101=83" at the start of the scan, "SMB86=2@17" at another place.
 std::string writeText(const Program& program, const ScanScript::Write& write);
 /// The place that the text behind '@' names; nothing if no instruction stands there.

@@ -224,6 +224,10 @@ TraceSignal signalWithoutProgram(std::string_view name, std::span<const Symbol> 
   return signal;
 }
 
+bool isInputColumn(const Operand& operand) {
+  return operand.area == Area::I || operand.area == Area::AI || operand.area == Area::PI;
+}
+
 std::optional<StimulusColumn> stimulusColumn(const Program& program, const std::string& name, bool isRecorded,
                                              Failure& failure) {
   if (auto library = libraryColumn(program, name)) return library;

@@ -19,6 +19,9 @@ std::optional<TraceSignal> signalNamed(const Program& program, std::string_view 
 /// and is a number.
 TraceSignal signalWithoutProgram(std::string_view name, std::span<const Symbol> symbols);
 
+/// Whether the operand is an input: its column sets it also in a stimulus that is whole.
+bool isInputColumn(const Operand& operand);
+
 /// The column of a stimulus with that heading. In a recorded trace, what the program computes is passed over.
 std::optional<StimulusColumn> stimulusColumn(const Program& program, const std::string& name, bool isRecorded,
                                              Failure& failure);

@@ -12,6 +12,7 @@
 #include "frontend/logger/recording.hpp"
 #include "frontend/logger/trace_cell.hpp"
 #include "frontend/simulation/event_place.hpp"
+#include "frontend/simulation/given_columns.hpp"
 #include "frontend/simulation/run_limits.hpp"
 #include "frontend/simulation/stimulus_column.hpp"
 
@@ -32,6 +33,8 @@ struct Frame {
   int scanMs = -1;
   int event = -1;
   int device = -1;
+  int given = -1;  ///< all that the surroundings do: a witness
+  int start = -1;
   std::vector<std::size_t> signals;  ///< indices of the other columns
 };
 
@@ -75,6 +78,10 @@ class TableReader {
         frame.event = static_cast<int>(i);
       } else if (name == "device") {
         frame.device = static_cast<int>(i);
+      } else if (name == "given") {
+        frame.given = static_cast<int>(i);
+      } else if (name == "start") {
+        frame.start = static_cast<int>(i);
       } else if (name == "time_ms" && i == 1 && !frame.isByTime) {
         frame.isRecorded = true;
       } else if (name == "time_ms" || name == "scan") {
@@ -144,6 +151,7 @@ class TableReader {
       std::string word = text.substr(at, end - at);
       at = end + 1;
       if (isOpen(word)) continue;
+      bool isFromQueue = false, isWithNext = false;
       std::size_t count = 1;  // "3x10": three at once
       if (const std::size_t times = word.find('x'); times != std::string::npos && times > 0) {
         const std::optional<double> many = numberIn(std::string_view(word).substr(0, times));
@@ -152,6 +160,8 @@ class TableReader {
           word.erase(0, times + 1);
         }
       }
+      if (word.starts_with('q')) isFromQueue = true, word.erase(0, 1);
+      if (word.starts_with('&')) isWithNext = true, word.erase(0, 1);
       const std::size_t mark = word.find('@');
       const std::optional<double> number = numberIn(std::string_view(word).substr(0, mark));
       const std::optional<int> event = eventNamed(number, program.target);
@@ -166,8 +176,8 @@ class TableReader {
       if (mark == std::string::npos) {
         row.events.insert(row.events.end(), count, *event);
       } else if (const auto place = scanPlaceNamed(program, std::string_view(word).substr(mark + 1))) {
-        row.placed.insert(row.placed.end(), count, {*place, *event, true});
-        row.placed.back().isWithNext = false;
+        row.placed.insert(row.placed.end(), count, {*place, *event, true, isFromQueue});
+        row.placed.back().isWithNext = isWithNext;
       } else {
         fail(cell, fmt::format("no instruction stands at '{}'", word.substr(mark + 1)),
              "write EVENT@LINE for an event in front of the instruction in that line of the program, or EVENT@end");
@@ -242,6 +252,20 @@ class TableReader {
     return result;
   }
 
+  /// What the engine asks for in the scan, and in the first row what it begins with.
+  void given(const Frame& frame, const std::vector<CsvCell>& cells, GivenReader& reader, StimulusRow& row,
+             Stimulus& stimulus) {
+    Failure failure;
+    const CsvCell& cell = cells[static_cast<std::size_t>(frame.given)];
+    if (!reader.readGiven(cell.text, row, failure)) fail(cell, failure.message, failure.help);
+    if (frame.start < 0) return;
+    const CsvCell& start = cells[static_cast<std::size_t>(frame.start)];
+    if (!isOpen(start.text) && (frame.isByTime || row.scan != 1))
+      fail(start, "values at the start stand in scan 1", "leave the cell empty");
+    else if (!reader.readStart(start.text, stimulus.start, failure))
+      fail(start, failure.message, failure.help);
+  }
+
   void fail(const CsvCell& cell, std::string message, std::string help = {}) {
     failures_.push_back(table_.at(cell, std::move(message), std::move(help)));
   }
@@ -262,7 +286,12 @@ Stimulus readStimulus(const std::string& name, std::string_view text, const Prog
   if (!failures.empty()) return stimulus;
   Frame frame = reader.frame();
   stimulus.isByTime = frame.isByTime;
-  stimulus.isScripted = frame.device >= 0;
+  stimulus.isWhole = frame.given >= 0;
+  stimulus.isScripted = frame.device >= 0 || stimulus.isWhole;
+  GivenReader given(program);
+  if (frame.start >= 0 && frame.given < 0)
+    reader.fail(reader.table().heading[static_cast<std::size_t>(frame.start)],
+                "column 'start' belongs to column 'given'", "add the column 'given'");
   std::vector<std::size_t> unknown;
   for (const std::size_t i : frame.signals) {
     const CsvCell& cell = reader.table().heading[i];
@@ -270,6 +299,8 @@ Stimulus readStimulus(const std::string& name, std::string_view text, const Prog
     if (const auto column =
             stimulusColumn(program, cell.text, frame.isRecorded || reader.table().isRecording, failure)) {
       stimulus.columns.push_back(*column);
+      const bool sets = column->target == StimulusTarget::Memory && isInputColumn(column->signal.operand);
+      if (stimulus.isWhole && !sets) stimulus.columns.back().target = StimulusTarget::None;  // `given` has it
     } else if (import.dropsUnknown) {
       unknown.push_back(i);
     } else {
@@ -288,6 +319,7 @@ Stimulus readStimulus(const std::string& name, std::string_view text, const Prog
       if (us != 0) row.scanUs = us;
     }
     if (frame.device >= 0) reader.writes(cells[static_cast<std::size_t>(frame.device)], program, row);
+    if (frame.given >= 0) reader.given(frame, cells, given, row, stimulus);
     if (frame.event >= 0) reader.events(cells[static_cast<std::size_t>(frame.event)], program, row);
     stimulus.isScripted = stimulus.isScripted || !row.placed.empty();
     for (std::size_t k = 0; k < frame.signals.size(); ++k) {

@@ -1,5 +1,6 @@
 // Reads stimulus and trace files. The first column is `scan` or `time_ms`; `scan_ms`,
-// `event` and `device` (what devices write: nothing else comes from them then) have their own meaning; every other
+// `event`, `device` (what devices write: nothing else comes from them then), `given` and `start` (all of it:
+// given_columns.hpp) have their own meaning; every other
 // column is an address, a symbol, "T37.value", an output of a library block
 // ("USS_CTRL.Speed"), or a device: "HSC0.pulses", "HSC0.down", "PORT0.receive", "NET.error", "NET.hold". A file with
 // time_ms behind scan is a recorded trace: as a stimulus it sets the inputs, and memory that the program does not

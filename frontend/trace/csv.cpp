@@ -1,7 +1,8 @@
 // Traces as CSV: scan, time_ms at the end of the scan, scan_ms, event if interrupts are known (old.event and
 // new.event where they come at different places of two programs), device if
-// devices do only what stands there, then one column per signal. The file is a stimulus as well: having time_ms behind
-// scan, it is known as a recording (frontend/simulation/stimulus_reader.hpp). Tested by tests/trace/csv_test.cpp.
+// devices do only what stands there, given and start where a witness says all that the surroundings did, then one
+// column per signal. The file is a stimulus as well: having time_ms behind scan, it is known as a recording
+// (frontend/simulation/stimulus_reader.hpp). Tested by tests/trace/csv_test.cpp.
 #include <fmt/format.h>
 
 #include <ostream>
@@ -23,6 +24,7 @@ void appendHead(const Trace& trace, std::string& text) {
   text += trace.isByTime ? "time_ms" : "scan,time_ms,scan_ms";
   if (!trace.isByTime && trace.hasEvents()) text += trace.hasTwoEvents ? ",old.event,new.event" : ",event";
   if (!trace.isByTime && trace.hasDevices) text += ",device";
+  if (trace.isWhole) text += ",given,start";
   for (const auto& [name, value] : trace.start) text += ',' + name;
   for (const TraceSignal& signal : trace.signals) text += ',' + quoted(signal.name);
   text += '\n';
@@ -43,6 +45,7 @@ void appendRow(const Trace& trace, const TraceRow& row, const BesideSignals& bes
   if (beside.hasEvents) text += ',' + quoted(row.events);
   if (beside.hasEvents && trace.hasTwoEvents) text += ',' + quoted(row.newEvents);
   if (beside.hasDevices) text += ',' + quoted(row.devices);
+  if (trace.isWhole) text += ',' + quoted(row.given) + ',' + (beside.isFirst ? quoted(trace.startValues) : "");
   for (const auto& [name, value] : trace.start) text += ',' + (beside.isFirst ? std::to_string(value) : "");
   for (std::size_t i = 0; i < trace.signals.size(); ++i) {
     text += ',';

@@ -1,0 +1,132 @@
+// The run that `prove --traces` writes is repeated by `sim --stimulus`, scan by scan, whatever the surroundings did.
+#include "frontend/simulation/given_columns.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+#include "frontend/cli/cli.hpp"
+#include "frontend/simulation/stimulus_reader.hpp"
+#include "tests/engine/rig.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rungproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Ended {
+  int code;
+  std::string out, err;
+};
+
+Ended runCommand(std::vector<std::string> arguments) {
+  std::istringstream in;
+  std::ostringstream out, err;
+  arguments.push_back("--isolated");
+  const int code = runProgram(arguments, {in, out, err});
+  return {code, out.str(), err.str()};
+}
+
+struct Case {
+  const char* name;
+  const char* text;
+};
+
+// What an address at the end of a scan cannot tell, one in each program; each property is violated.
+const Case cases[] = {
+    // Two immediate reads of one scan may differ (001:2843).
+    {"immediate", "//@ prove p: never M0.0 and M0.1\nLDI I0.0\n= M0.0\nLDNI I0.0\n= M0.1\n"},
+    // The level that a pop shifts in has any value (001:2868).
+    {"stack", "//@ prove p: never Q0.0\nLD I0.0\nLPS\nLPP\nALD\n= Q0.0\n"},
+    // What stands in the input image is overwritten by the program: the column shows the value at the end.
+    {"image", "//@ prove p: never Q0.0\nLD I0.0\n= Q0.0\nLD SM0.0\nR I0.0, 1\n"},
+    // An area that another station writes, and the program as well: the value of the beginning counts.
+    {"external", "//@ external VB10\n//@ prove p: never Q0.0\nLDB= VB10, 7\n= Q0.0\nLD SM0.0\nMOVB 0, VB10\n"},
+    // Retentive counters start with any value.
+    {"counter",
+     "//@ initial retentive\n//@ prove p: never Q0.0\nLD I0.0\nLD I0.1\nCTU C0, 500\nLDW>= C0, 400\n= Q0.0\n"},
+    // T32 may tick between two instructions of a scan (001:3990).
+    {"tick",
+     "//@ prove p: never Q0.0 and M0.1\nLD T32\n= M0.0\nLD SM0.0\nTON T32, 5\nLDN M0.0\nA T32\n= Q0.0\nLD SM0.0\n= "
+     "M0.1\n"},
+    // The clock shows any time.
+    {"clock", "//@ prove p: never Q0.0\nLD SM0.0\nTODR VB20\nLDB= VB20, 16#05\n= Q0.0\n"},
+    // An analog input is read anew at each read, if it is not filtered.
+    {"analog", "//@ prove p: never Q0.0 and Q0.1\nLDW= AIW0, 5\n= Q0.0\nLDW= AIW0, 6\n= Q0.1\n"},
+    // Only the property names this input.
+    {"named", "//@ prove p: Q0.0 implies not I1.3\nLD I0.0\n= Q0.0\n"},
+};
+
+TEST(GivenColumns, EveryWitnessIsRepeatedByThePublicCommand) {
+  const test::TemporaryFolder folder;
+  int repeated = 0;
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.name);
+    const std::string program = folder.file(std::string(c.name) + ".awl", c.text);
+    std::vector<std::string> proof = {"prove", program, "--traces", folder.path(c.name)};
+    if (std::string(c.name) == "analog") proof.insert(proof.end(), {"--choice", "analog-sampling=each-read"});
+    const Ended proved = runCommand(proof);
+    ASSERT_EQ(proved.code, 1) << proved.out << proved.err;
+    const std::string witness = (fs::path(folder.path(c.name)) / "p.csv").string();
+    std::vector<std::string> repeat = {"sim", program, "--stimulus", witness, "--expect", witness};
+    if (std::string(c.name) == "analog") repeat.insert(repeat.end(), {"--choice", "analog-sampling=each-read"});
+    const Ended simulated = runCommand(repeat);
+    EXPECT_EQ(simulated.code, 0) << simulated.out << simulated.err;
+    EXPECT_EQ(simulated.err, "");
+    ++repeated;
+  }
+  EXPECT_EQ(repeated, static_cast<int>(std::size(cases)));
+}
+
+// Every kind of value that the engine asks for has a word of its own, and the reader gives the same site back.
+TEST(GivenColumns, EveryKindIsReadBack) {
+  const Rig rig("LD I0.0\n= Q0.0\n");
+  const Program& program = rig.program;
+  const std::uint32_t last = program.pous[0].networks[0].instructions[1].id;
+  GivenReader reader(program);
+  std::set<std::string_view> names;
+  for (int kind = 0; kind <= static_cast<int>(External::TimerPhase); ++kind) {
+    const std::string_view name = externalName(static_cast<External>(kind));
+    EXPECT_TRUE(names.insert(name).second) << name;
+    StimulusRow row;
+    Failure failure;
+    ASSERT_TRUE(reader.readGiven(std::string(name) + "[3]@#" + std::to_string(last) + "*1=4000000000", row, failure));
+    ASSERT_EQ(row.externals.size(), 1U);
+    EXPECT_EQ(static_cast<int>(row.externals[0].site.kind), kind);
+    EXPECT_EQ(row.externals[0].site.index, 3U);
+    EXPECT_EQ(row.externals[0].site.instruction, last);
+    EXPECT_EQ(row.externals[0].value, 4000000000U);
+  }
+}
+
+TEST(GivenColumns, WhatIsNotKnownIsAnError) {
+  const test::TemporaryFolder folder;
+  const std::string program = folder.file("p.awl", "LD I0.0\n= Q0.0\n");
+  for (const char* text : {"scan,given\n1,imediate[0]@1=1\n", "scan,given\n1,immediate[0]@99=1\n",
+                           "scan,given\n1,tick=1\n", "scan,start\n1,AC[0]=1\n", "scan,given,start\n1,,ACX[0]=1\n",
+                           "scan,given,start\n1,,\n2,,AC[0]=1\n", "scan,gven\n1,x\n"}) {
+    EXPECT_EQ(runCommand({"sim", program, "--stimulus", folder.file("s.csv", text)}).code, 2) << text;
+  }
+  const Ended unasked =
+      runCommand({"sim", program, "--stimulus", folder.file("s.csv", "scan,given\n1,clock[0]@1=1\n")});
+  EXPECT_NE(unasked.err.find("did not ask for 1 values"), std::string::npos) << unasked.err;
+}
+
+// 16#3F000000 is the pattern of 0.5 (sign 0, exponent 126, mantissa 0).
+TEST(GivenColumns, HexadecimalCellsOfAREALAreItsBits) {
+  const test::TemporaryFolder folder;
+  const std::string program = folder.file("r.awl", "LDR= VD0, 0.5\n= Q0.0\nLD SM0.0\nMOVR VD0, VD8\n");
+  const std::string expected = folder.file("e.csv", "scan,Q0.0,VD8\n1,1,16#3F000000\n");
+  const std::string stimulus = folder.file("s.csv", "scan,VD0\n1,16#3F000000\n");
+  EXPECT_EQ(runCommand({"sim", program, "--stimulus", stimulus, "--expect", expected}).code, 0);
+  EXPECT_EQ(runCommand({"sim", program, "--set", "VD0=16#3F000000", "--expect", expected}).code, 0);
+  EXPECT_EQ(runCommand({"sim", program, "--set", "VD0=0.5", "--expect", expected}).code, 0);
+  const std::string wrong = folder.file("w.csv", "scan,VD8\n1,16#3F800000\n");
+  EXPECT_EQ(runCommand({"sim", program, "--stimulus", stimulus, "--expect", wrong}).code, 1);
+}
+
+}  // namespace
+}  // namespace rungproof
