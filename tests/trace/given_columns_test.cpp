@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -79,6 +82,43 @@ TEST(GivenColumns, EveryWitnessIsRepeatedByThePublicCommand) {
     ++repeated;
   }
   EXPECT_EQ(repeated, static_cast<int>(std::size(cases)));
+}
+
+/// Programs of the corpus with a property, in order of their names.
+std::vector<std::string> corpusPrograms() {
+  std::vector<std::string> programs;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(RUNGPROOF_SOURCE_DIR) / "corpus")) {
+    if (entry.path().extension() != ".awl") continue;
+    std::ifstream stream(entry.path(), std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    if (text.str().find("//@") != std::string::npos) programs.push_back(entry.path().string());
+  }
+  std::ranges::sort(programs);
+  return programs;
+}
+
+// The corpus finds what the cases above forget. RUNGPROOF_WITNESSES=all takes every program in place of each eighth.
+TEST(GivenColumns, WitnessesOfTheCorpusAreRepeated) {
+  const char* const wish = std::getenv("RUNGPROOF_WITNESSES");
+  const std::size_t stride = wish != nullptr && std::string_view(wish) == "all" ? 1 : 8;
+  const test::TemporaryFolder folder;
+  const std::vector<std::string> programs = corpusPrograms();
+  std::size_t repeated = 0;
+  for (std::size_t i = 0; i < programs.size(); i += stride) {
+    const std::string traces = folder.path(std::to_string(i));
+    runCommand({"prove", programs[i], "--timeout", "2s", "--traces", traces});
+    if (!fs::exists(traces)) continue;
+    for (const auto& entry : fs::directory_iterator(traces)) {
+      if (entry.path().extension() != ".csv") continue;
+      const std::string witness = entry.path().string();
+      const Ended run = runCommand({"sim", programs[i], "--stimulus", witness, "--expect", witness});
+      EXPECT_EQ(run.code, 0) << programs[i] << ' ' << witness << '\n' << run.out;
+      EXPECT_EQ(run.err, "") << programs[i] << ' ' << witness;
+      ++repeated;
+    }
+  }
+  EXPECT_GE(repeated, programs.size() / stride / 2);
 }
 
 // Every kind of value that the engine asks for has a word of its own, and the reader gives the same site back.
