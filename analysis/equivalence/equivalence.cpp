@@ -202,7 +202,11 @@ class ProgramComparison {
   void shorten(EquivalenceRun early) {
     method_ = "runs of both programs";
     until_ = seconds() + searchSeconds;
-    isExplored_ = true;
+    // Its immediate reads find 0 whatever the input is.
+    const BothRuns runs{*before_.program, *after_.program, options_,
+                        namedOutputs(*before_.program, *after_.program, options_), true};
+    isExplored_ = runs.judged(stimulusOnly(early)).has_value();
+    if (!isExplored_) early.beyondTrace.emplace_back(differingReads);
     if (early.scan > 1) {
       try {
         ProgramProduct product(before_, after_, match_, productOptions(false));
@@ -436,11 +440,44 @@ class ProgramComparison {
     }
     return run;
   }
+  static std::optional<std::uint64_t> givenBit(const ReplayScan& scan, std::uint32_t index) {
+    for (const PresetValue& input : scan.inputs) {
+      if (input.operand.area != Area::I) continue;
+      const Place place = memoryPlace(Area::I, input.operand.offset, input.operand.width, input.operand.bit);
+      for (std::uint32_t i = 0; i < place.width; ++i) {
+        if (bitOf(place, i).index == index) return input.value >> (place.width - 1 - i) & 1U;
+      }
+    }
+    return std::nullopt;
+  }
+  /// Immediate reads find what the input of the scan is, as in a run by a stimulus.
+  static void holdImmediateReads(const Program& program, std::vector<ReplayScan>& scans) {
+    for (const Pou& pou : program.pous) {
+      for (const Network& network : pou.networks) {
+        for (const Instruction& instruction : network.instructions) {
+          if (!instruction.desc->immediate || instruction.operands.empty()) continue;
+          const Operand& o = instruction.operands[0];
+          if (o.kind != OperandKind::Direct || o.area != Area::I) continue;
+          for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(bits(o.width)); ++i) {
+            const std::uint32_t index = bitOf(memoryPlace(Area::I, o.offset, o.width, o.bit), i).index;
+            std::uint64_t last = 0;
+            for (ReplayScan& scan : scans) {
+              last = givenBit(scan, index).value_or(last);
+              scan.externals.push_back({{External::ImmediateInput, index, instruction.id}, last});
+            }
+          }
+        }
+      }
+    }
+  }
+
   /// The run from power-up with nothing but what every stimulus gives: inputs, lengths of scans, events, devices.
-  static EquivalenceRun stimulusOnly(const EquivalenceRun& run) {
+  EquivalenceRun stimulusOnly(const EquivalenceRun& run) const {
     EquivalenceRun plain = withoutMoments(without(run, [](External) { return true; }));
     plain.initialBefore.reset();
     plain.initialAfter.reset();
+    holdImmediateReads(*before_.program, plain.before);
+    holdImmediateReads(*after_.program, plain.after);
     return plain;
   }
   /// What the difference is gone without, or what of a run the reader of a trace passes over.
@@ -450,7 +487,7 @@ class ProgramComparison {
       bool (*isLeftOut)(External);
     };
     static constexpr Source sources[] = {
-        {"several reads of one input in a scan that differ",
+        {differingReads,
          [](External kind) { return kind == External::AnalogInput || kind == External::ImmediateInput; }},
         {"the clock",
          [](External kind) {
@@ -684,6 +721,7 @@ class ProgramComparison {
     }
   }
 
+  static constexpr const char* differingReads = "several reads of one input in a scan that differ";
   static constexpr int unlimited = 1 << 30;
   const Side& before_;
   const Side& after_;

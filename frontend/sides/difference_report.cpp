@@ -165,7 +165,8 @@ void DifferenceReport::describe(Comparison& comparison, const std::string& form)
     const Program& program = isOld ? *sides_.runBefore : *sides_.runAfter;
     const std::string start = startText(program, options_.prover.choices, witnessOf(run_, isOld));
     if (!start.empty())
-      comparison.notes.push_back(fmt::format("memory of {} at the start: {}", isOld ? "OLD" : "NEW", start));
+      comparison.notes.push_back(fmt::format("memory of {} at the start, which a trace does not hold: {}",
+                                             isOld ? "OLD" : "NEW", start));
   }
   for (const std::string& line : tableOf(table)) comparison.notes.push_back(line);
   if (form == "none") return;

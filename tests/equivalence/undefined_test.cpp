@@ -136,6 +136,22 @@ TEST(Undefined, AProgramWithoutPulsesIsEqualOnBothFamilies) {
             "DIFFERENT");
 }
 
+/// The run rests on I0.0 changing between the start of the scan and the immediate read, which no column of a trace says.
+TEST(Undefined, ARunThatATraceCannotHoldSaysSo) {
+  const Equivalence found = comparedTexts(exportOf("LDI I0.0;= Q0.0"), exportOf("LD I0.0;= Q0.0"));
+  ASSERT_EQ(equalityText(found.equality), "DIFFERENT");
+  EXPECT_TRUE(namesPart(found.run->beyondTrace, "several reads of one input"));
+}
+
+/// 100 and 101 steps of 1 ms: scans of 1 ms show it, and need no moment within a scan.
+TEST(Undefined, ARunThatATraceHoldsIsPreferred) {
+  const Equivalence found = comparedTexts(exportOf("LD I0.0;TON T32,100|LD T32;= Q0.0"),
+                                          exportOf("LD I0.0;TON T32,101|LD T32;= Q0.0"));
+  ASSERT_EQ(equalityText(found.equality), "DIFFERENT");
+  EXPECT_TRUE(found.run->beyondTrace.empty());
+  for (const ReplayScan& scan : found.run->before) EXPECT_TRUE(scan.script.ticks1.empty());
+}
+
 /// Whatever a program does, it does it twice alike. One short look at each: a comparison that takes longer is UNKNOWN.
 TEST(Undefined, NoProgramOfTheCorpusDiffersFromItself) {
   constexpr std::size_t leastPrograms = 100, leastEqual = 80;
