@@ -63,6 +63,10 @@ class TableReader {
       fail(table_.heading[0], fmt::format("the first column is '{}'", table_.heading[0].text),
            "name it 'scan' or 'time_ms'");
     std::set<std::string> seen;
+    const auto hasHeading = [&](std::string_view name) {
+      return std::ranges::any_of(table_.heading, [&](const CsvCell& cell) { return lowered(cell.text) == name; });
+    };
+    const bool isWitness = hasHeading("given") && hasHeading("start");  // one alone may be a symbol
     for (std::size_t i = 0; i < table_.heading.size(); ++i) {
       if (others_.contains(i)) continue;
       const CsvCell& cell = table_.heading[i];
@@ -78,9 +82,9 @@ class TableReader {
         frame.event = static_cast<int>(i);
       } else if (name == "device") {
         frame.device = static_cast<int>(i);
-      } else if (name == "given") {
+      } else if (isWitness && name == "given") {
         frame.given = static_cast<int>(i);
-      } else if (name == "start") {
+      } else if (isWitness && name == "start") {
         frame.start = static_cast<int>(i);
       } else if (name == "time_ms" && i == 1 && !frame.isByTime) {
         frame.isRecorded = true;
@@ -258,7 +262,6 @@ class TableReader {
     Failure failure;
     const CsvCell& cell = cells[static_cast<std::size_t>(frame.given)];
     if (!reader.readGiven(cell.text, row, failure)) fail(cell, failure.message, failure.help);
-    if (frame.start < 0) return;
     const CsvCell& start = cells[static_cast<std::size_t>(frame.start)];
     if (!isOpen(start.text) && (frame.isByTime || row.scan != 1))
       fail(start, "values at the start stand in scan 1", "leave the cell empty");
@@ -289,9 +292,6 @@ Stimulus readStimulus(const std::string& name, std::string_view text, const Prog
   stimulus.isWhole = frame.given >= 0;
   stimulus.isScripted = frame.device >= 0 || stimulus.isWhole;
   GivenReader given(program);
-  if (frame.start >= 0 && frame.given < 0)
-    reader.fail(reader.table().heading[static_cast<std::size_t>(frame.start)],
-                "column 'start' belongs to column 'given'", "add the column 'given'");
   std::vector<std::size_t> unknown;
   for (const std::size_t i : frame.signals) {
     const CsvCell& cell = reader.table().heading[i];

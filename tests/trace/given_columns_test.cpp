@@ -145,13 +145,13 @@ TEST(GivenColumns, EveryKindIsReadBack) {
 TEST(GivenColumns, WhatIsNotKnownIsAnError) {
   const test::TemporaryFolder folder;
   const std::string program = folder.file("p.awl", "LD I0.0\n= Q0.0\n");
-  for (const char* text : {"scan,given\n1,imediate[0]@1=1\n", "scan,given\n1,immediate[0]@99=1\n",
-                           "scan,given\n1,tick=1\n", "scan,start\n1,AC[0]=1\n", "scan,given,start\n1,,ACX[0]=1\n",
+  for (const char* text : {"scan,given,start\n1,imediate[0]@1=1,\n", "scan,given,start\n1,immediate[0]@99=1,\n",
+                           "scan,given,start\n1,tick=1,\n", "scan,start\n1,AC[0]=1\n", "scan,given,start\n1,,ACX[0]=1\n",
                            "scan,given,start\n1,,\n2,,AC[0]=1\n", "scan,gven\n1,x\n"}) {
     EXPECT_EQ(runCommand({"sim", program, "--stimulus", folder.file("s.csv", text)}).code, 2) << text;
   }
   const Ended unasked =
-      runCommand({"sim", program, "--stimulus", folder.file("s.csv", "scan,given\n1,clock[0]@1=1\n")});
+      runCommand({"sim", program, "--stimulus", folder.file("s.csv", "scan,given,start\n1,clock[0]@1=1,\n")});
   EXPECT_NE(unasked.err.find("did not ask for 1 values"), std::string::npos) << unasked.err;
 }
 
