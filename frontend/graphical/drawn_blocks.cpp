@@ -179,13 +179,9 @@ std::optional<Operand> DrawnBlocks::presetOf(const DrawnElement& element, const 
                                           toString(timerOperand(instance)), instance.resolution));
     return std::nullopt;
   }
-  l_.sink_.report(Syntax::PresetRounded, element.span,
-                  fmt::format("{}: the preset is a variable and is counted in steps of {} ms", nameOf(element),
-                              instance.resolution));
-  const Operand steps = l_.temporary(IecType::Dint);
-  l_.box("MOVD", {value.operand, steps}, l_.rail());
-  l_.box("/D", {constant(instance.resolution), steps}, l_.rail());
-  return l_.lowPart(steps, Width::Word);
+  l_.sink_.operand(element, fmt::format("PT is a variable, and {} counts in steps of {} ms: give PT a literal",
+                                        toString(timerOperand(instance)), instance.resolution));
+  return std::nullopt;
 }
 
 bool DrawnBlocks::elapsedTime(const DrawnElement& element, DrawnCopy& instance, const DrawnValue& preset) {

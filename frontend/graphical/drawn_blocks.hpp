@@ -1,8 +1,8 @@
 // Function blocks: those of the standard on timers, counters and edges of the S7-200, those of the project as calls.
 //
 // TON and TOF are the instructions of that name; TP is a TON with a latch. A preset is a number of steps of the
-// timer's resolution: a constant gets a timer that counts it exactly or is refused; a variable one is counted in steps
-// of 100 ms (there are only eight timers of 10 ms and two of 1 ms) and this is said. ET is the current value in ms.
+// timer's resolution: a constant gets a timer that counts it exactly or is refused; a variable one is refused, because
+// no timer counts every duration. ET is the current value in ms.
 // CTU is that of the S7-200, which like the standard's counts on beyond PV; CTD stops at 0, where the standard lets CV
 // go below; CTUD has no load input there, a move into the current value stands for it. SR and RS are a seal-in circuit
 // on one bit. A block whose EN is 0 is jumped over and keeps everything, though its timer goes on.

@@ -48,6 +48,7 @@ class DrawnBuild {
  private:
   void addGlobals();
   void buildPrograms();
+  void freeInputs(const DrawnCopy& program);
   DrawnCopy* newCopy(const DrawnBlock& block, const std::string& path);
   void declare(DrawnCopy& copy, const DrawnVariable& variable, const std::string& path);
   void declareInstance(VariablePlace& place, const DrawnVariable& variable, const std::string& path);

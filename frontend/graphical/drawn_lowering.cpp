@@ -44,9 +44,15 @@ Wire DrawnLowering::box(std::string_view mnemonic, Operands operands, Wire enabl
   return add(Shape::Box, mnemonic, std::move(operands), {enable});
 }
 
+/// As R_TRIG and F_TRIG: the memory of the last value starts with 0, so there may be an edge in the first scan, in
+/// which EU and ED see none (001:2763).
 Wire DrawnLowering::edge(Wire input, DrawnEdge kind) {
   if (kind == DrawnEdge::None) return input;
-  return add(Shape::Contact, kind == DrawnEdge::Rising ? "EU" : "ED", {}, {input});
+  const Wire now = throughMemory(kind == DrawnEdge::Rising ? input : inverted(input));
+  const Operand last = temporary(IecType::Bool);
+  const Wire found = throughMemory(gate(Shape::And, {now, inverted(contact(last, rail()))}));
+  assign(last, now);
+  return found;
 }
 
 Wire DrawnLowering::negation(Wire wire) {

@@ -465,6 +465,24 @@ void DrawnBuild::addMainOf(const std::vector<DrawnCopy*>& programs, Span span) {
   program_.pous.push_back(std::move(main));
 }
 
+/// Inputs of a program that have no address: whoever runs it writes them, any value in any scan.
+void DrawnBuild::freeInputs(const DrawnCopy& program) {
+  for (const DrawnVariable& variable : program.block->variables) {
+    if (variable.section != DrawnSection::Input || variable.isConstant || !variable.address.empty()) continue;
+    const auto place = program.places.find(foldedName(variable.name));
+    if (place == program.places.end() || place->second.copy != nullptr || place->second.constant) continue;
+    Operand first = place->second.operand;
+    first.text = "";
+    std::string text = "external " + toString(first);
+    if (variable.type == IecType::String) {
+      Operand last = first;
+      last.offset += 80;
+      text += ".." + toString(last);
+    }
+    program_.directives.push_back({std::move(text), variable.span});
+  }
+}
+
 void DrawnBuild::buildPrograms() {
   std::vector<DrawnInstance> instances;
   for (const DrawnInstance& instance : project_.instances) {
@@ -487,6 +505,7 @@ void DrawnBuild::buildPrograms() {
     DrawnCopy* copy = newCopy(block, instances.size() == 1 ? "" : instance.name);
     addPou(*copy, instances.size() == 1 ? PouKind::Main : PouKind::Subroutine);
     programs.push_back(copy);
+    freeInputs(*copy);
   }
   if (instances.size() > 1) addMainOf(programs, instances.front().span);
   // A block that nobody calls stands in the program once, so that it is checked; so do those of a library.

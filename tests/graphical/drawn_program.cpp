@@ -293,10 +293,11 @@ void DrawnEvaluator::scan(const std::map<std::string, bool>& inputs) {
 }
 
 bool DrawnEvaluator::edge(int memory, int kind, bool now) {
+  // R_TRIG: Q := CLK AND NOT M; M := CLK. F_TRIG: the same of NOT CLK. M starts with 0, so the first scan has edges.
+  const bool seen = kind > 0 ? now : !now;
   const bool before = memory_[static_cast<std::size_t>(memory)];
-  memory_[static_cast<std::size_t>(memory)] = now;
-  if (scans_ == 1) return false;
-  return kind > 0 ? now && !before : before && !now;
+  memory_[static_cast<std::size_t>(memory)] = seen;
+  return seen && !before;
 }
 
 /// All parts are evaluated, whatever the others say: they may have edges and boxes.
@@ -355,7 +356,7 @@ bool DrawnEvaluator::box(const DrawnExpr& e) {
   } else if (e.type == "TP") {
     // A pulse that follows at once on the last one keeps the timer running, so that it counts without a pause.
     const bool wasTiming = b.active || b.ended;
-    if (!b.active && rises) {
+    if (!b.active && in[0] && !b.before) {  // in the first scan too
       b.active = true;
       b.current = 0;
     }

@@ -2,6 +2,7 @@
 // Expected texts follow from the elements: LD, A, O for contacts, = S R for coils, in the order top to bottom.
 #include <gtest/gtest.h>
 
+#include "engine/simulator.hpp"
 #include "tests/graphical/plcopen_text.hpp"
 #include "tests/reader/read.hpp"
 
@@ -32,17 +33,66 @@ TEST(Plcopen, CoilsOfAllKinds) {
   EXPECT_EQ(coil("storage=\"set\""), "LD I0.0; S Q0.0,1");
   EXPECT_EQ(coil("storage=\"reset\""), "LD I0.0; R Q0.0,1");
   EXPECT_EQ(coil("negated=\"true\""), "LD I0.0; NOT; = Q0.0");
-  EXPECT_EQ(coil("edge=\"rising\""), "LD I0.0; EU; = Q0.0");
-  EXPECT_EQ(coil("edge=\"falling\""), "LD I0.0; ED; = Q0.0");
+}
+
+/// Q0.0 at the ends of scans in which a (I0.0) and b (I0.1) have these values.
+std::string outputOf(const std::string& elements, const std::vector<std::pair<int, int>>& inputs) {
+  const Program program = readText("t.xml", plcopen(fiveBits, "LD", railElement(1) + elements));
+  if (!program.findings.empty()) return findings(program);
+  Simulator simulator(program);
+  std::string result;
+  for (const auto& [a, b] : inputs) {
+    simulator.write(direct(Area::I, Width::Byte, 0), static_cast<std::uint64_t>(a + 2 * b));
+    simulator.scan();
+    result += simulator.read(direct(Area::Q, Width::Bit, 0, 0)) != 0 ? '1' : '0';
+  }
+  return result;
+}
+
+// IEC 61131-3: an edge compares with a memory that starts with 0. So a rising edge comes in the first scan with 1, a
+// falling one in the first scan with 0, where EU and ED of an S7-200 see none (001:2763).
+TEST(Plcopen, EdgesComeInTheFirstScan) {
+  const auto contact = [](const std::string& edge) {
+    return contactElement(2, {"1"}, "a", "edge=\"" + edge + "\"") + coilElement(3, {"2"}, "y");
+  };
+  const auto coil = [](const std::string& edge) {
+    return contactElement(2, {"1"}, "a") + coilElement(3, {"2"}, "y", "edge=\"" + edge + "\"");
+  };
+  const std::vector<std::pair<int, int>> onFirst = {{1, 0}, {1, 0}, {0, 0}, {1, 0}},
+                                         offFirst = {{0, 0}, {0, 0}, {1, 0}, {0, 0}};
+  EXPECT_EQ(outputOf(contact("rising"), onFirst), "1001");
+  EXPECT_EQ(outputOf(coil("rising"), onFirst), "1001");
+  EXPECT_EQ(outputOf(contact("falling"), offFirst), "1001");
+  EXPECT_EQ(outputOf(coil("falling"), offFirst), "1001");
+  EXPECT_EQ(outputOf(contact("rising"), offFirst), "0010");
+  EXPECT_EQ(outputOf(contact("falling"), onFirst), "0010");
 }
 
 TEST(Plcopen, EdgeContactIsTheEdgeOfItsVariable) {
-  EXPECT_EQ(ladder(contactElement(2, {"1"}, "a", "edge=\"rising\"") + coilElement(3, {"2"}, "y")),
-            "LD I0.0; EU; = Q0.0");
-  // Behind another contact the edge is still that of b alone, not of a and b.
-  EXPECT_EQ(ladder(contactElement(2, {"1"}, "a") + contactElement(3, {"2"}, "b", "edge=\"falling\"") +
-                   coilElement(4, {"3"}, "y")),
-            "LD I0.0; LD I0.1; ED; ALD; = Q0.0");
+  // Behind another contact the edge is still that of b alone, not of a and b: in scan 3 b falls while a is 0, and the
+  // later 1 of a makes no edge.
+  EXPECT_EQ(outputOf(contactElement(2, {"1"}, "a") + contactElement(3, {"2"}, "b", "edge=\"falling\"") +
+                         coilElement(4, {"3"}, "y"),
+                     {{1, 1}, {1, 0}, {0, 1}, {0, 0}, {1, 0}}),
+            "01000");
+}
+
+// A program input without an address is written by whoever runs the program: any value in any scan. With inputs at an
+// address nothing needs to be said.
+TEST(Plcopen, InputsWithoutAnAddressAreFree) {
+  const auto statements = [](const std::string& variables) {
+    const Program program = readText(
+        "t.xml", projectText(pouText("Main", "program", variables, "LD",
+                                     railElement(1) + contactElement(2, {"1"}, "a") + coilElement(3, {"2"}, "y"))));
+    EXPECT_EQ(findings(program), "");
+    std::string all;
+    for (const Directive& directive : program.directives) all += directive.text + "; ";
+    return all;
+  };
+  const std::string output = "<localVars>" + declarations({"y:BOOL@%QX0.0"}) + "</localVars>";
+  const std::string free = statements("<inputVars>" + declarations({"a:BOOL", "n:INT"}) + "</inputVars>" + output);
+  EXPECT_EQ(free, "external V0.0; external VW2; ");
+  EXPECT_EQ(statements("<inputVars>" + declarations({"a:BOOL@%IX0.0"}) + "</inputVars>" + output), "");
 }
 
 TEST(Plcopen, OrderIsByPositionUnlessItIsStated) {

@@ -9,7 +9,7 @@
 #include "tests/bench/read_and_lint.hpp"
 #include "tests/machine_pace.hpp"
 
-namespace rungproof {
+namespace rungproof::testing {
 namespace {
 
 /// Seconds to read a text, build the facts and run all rules.
@@ -46,4 +46,4 @@ TEST(Scale, OneBitForEverything) {
 }
 
 }  // namespace
-}  // namespace rungproof
+}  // namespace rungproof::testing
