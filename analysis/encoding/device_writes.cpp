@@ -318,4 +318,26 @@ Node DeviceWrites::seen(const Place& place, Node start) {
   return result;
 }
 
+bool canCount(const Program& program, const CallContracts& hidden, std::uint32_t counter) {
+  constexpr std::int64_t countsPulseOutput = 12;
+  const auto isThere = [&](auto&& isWanted) {
+    for (const Pou& pou : program.pous) {  // what is not encoded as well
+      for (const Network& network : pou.networks) {
+        if (std::ranges::any_of(network.instructions, isWanted)) return true;
+      }
+    }
+    return false;
+  };
+  const auto defines = [&](const Instruction& i, bool byPulses) {
+    return roleOf(i) == Role::Hdef && i.operands.size() > 1 && i.operands[0].value == counter &&
+           (i.operands[1].value == countsPulseOutput) == byPulses;
+  };
+  if (isThere([&](const Instruction& i) { return defines(i, false); })) return true;
+  const std::int64_t output = counter == 0 ? 0 : 1;
+  return isThere([&](const Instruction& i) { return defines(i, true); }) &&
+         (!hidden.empty() || isThere([&](const Instruction& i) {
+           return roleOf(i) == Role::Pls && !i.operands.empty() && i.operands[0].value == output;
+         }));
+}
+
 }  // namespace rungproof

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "analysis/encoding/encoder.hpp"
+#include "ir/s7200/call_contract.hpp"
 #include "ir/s7200/device_end.hpp"
 
 namespace rungproof {
@@ -98,5 +99,10 @@ class DeviceWrites {
   std::map<std::pair<Area, std::uint32_t>, std::vector<ByteWrite>> known_;
   std::vector<DeviceWrite> writes_;
 };
+
+/// Whether that high-speed counter can count: HDEF of it stands in the program; without, it stays 0 (001:4308). Mode 12
+/// counts the pulses of an output, 0 for HSC0 and 1 for HSC3 (001:4237), and has none to count where nothing starts
+/// them. A block without text may start them.
+bool canCount(const Program& program, const CallContracts& hidden, std::uint32_t counter);
 
 }  // namespace rungproof

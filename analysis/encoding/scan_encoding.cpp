@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "analysis/encoding/site_name.hpp"
 #include "ir/check.hpp"
 #include "ir/s7200/event.hpp"
 #include "ir/s7200/isa/clock.hpp"
@@ -19,43 +20,6 @@
 namespace rungproof {
 
 namespace {
-
-std::string siteName(const ExternalSite& site) {
-  switch (site.kind) {
-    case External::ImmediateInput:
-      return fmt::format("I{}.{} immediate, instruction {}", site.index / 8, site.index % 8, site.instruction);
-    case External::AnalogInput: return fmt::format("AIW{}, instruction {}", site.index, site.instruction);
-    case External::StackBottom: return fmt::format("stack bottom, instruction {}", site.instruction);
-    case External::LocalMemory: return fmt::format("LB{}, instruction {}", site.index, site.instruction);
-    default:
-      return fmt::format("external {} {}, instruction {}", static_cast<int>(site.kind), site.index, site.instruction);
-  }
-}
-
-/// Whether that high-speed counter can count: HDEF of it stands in the program; without, it stays 0 (001:4308). Mode 12
-/// counts the pulses of an output, 0 for HSC0 and 1 for HSC3 (001:4237), and has none to count where nothing starts them.
-/// A block without text may start them.
-bool canCount(const Program& program, const CallContracts& hidden, std::uint32_t counter) {
-  constexpr std::int64_t countsPulseOutput = 12;
-  const auto isThere = [&](auto&& isWanted) {
-    for (const Pou& pou : program.pous) {  // what is not encoded as well
-      for (const Network& network : pou.networks) {
-        if (std::ranges::any_of(network.instructions, isWanted)) return true;
-      }
-    }
-    return false;
-  };
-  const auto defines = [&](const Instruction& i, bool byPulses) {
-    return roleOf(i) == Role::Hdef && i.operands.size() > 1 && i.operands[0].value == counter &&
-           (i.operands[1].value == countsPulseOutput) == byPulses;
-  };
-  if (isThere([&](const Instruction& i) { return defines(i, false); })) return true;
-  const std::int64_t output = counter == 0 ? 0 : 1;
-  return isThere([&](const Instruction& i) { return defines(i, true); }) &&
-         (!hidden.empty() || isThere([&](const Instruction& i) {
-           return roleOf(i) == Role::Pls && !i.operands.empty() && i.operands[0].value == output;
-         }));
-}
 
 constexpr std::string_view unresolvedReason = "pointer whose targets could not be found";
 
@@ -230,7 +194,8 @@ Node ScanEncoding::localByte(std::uint32_t entry, std::uint32_t byte) {
 
 bool ScanEncoding::isInput(const Place& place) const {
   if (place.isRegister)
-    return place.reg == Reg::PhysicalInput || (place.reg == Reg::HscCurrent && canCount(program_, contracts_, place.at));
+    return place.reg == Reg::PhysicalInput ||
+           (place.reg == Reg::HscCurrent && canCount(program_, contracts_, place.at));
   if (place.area == Area::I) return true;
   const std::uint32_t byte = place.byte();
   if (place.area == Area::SM) {

@@ -14,10 +14,12 @@
 
 #include "analysis/encoding/accelerate.hpp"
 #include "analysis/equivalence/both_runs.hpp"
+#include "analysis/equivalence/comparison_basis.hpp"
 #include "analysis/equivalence/equality_proof.hpp"
 #include "analysis/equivalence/hidden_blocks.hpp"
 #include "analysis/equivalence/pair_exploration.hpp"
 #include "analysis/equivalence/scan_length.hpp"
+#include "analysis/equivalence/trace_limits.hpp"
 #include "analysis/portfolio/portfolio.hpp"
 #include "analysis/proof/proof_watch.hpp"
 #include "analysis/proof/question_system.hpp"
@@ -25,7 +27,6 @@
 #include "analysis/witness/witness.hpp"
 
 namespace rungproof {
-
 namespace {
 
 constexpr double outputSeconds = 1;     ///< for all outputs, whatever NEW's own memory is
@@ -50,7 +51,7 @@ class ProgramComparison {
         watch_(options.prover.cancel, options.prover.memory) {}
 
   Equivalence run() {
-    nameAssumptions();
+    result_.assumptions = assumptionTexts(before_, after_, options_);
     if (auto early = exploreEarly()) {
       shorten(std::move(*early));
       guardUnread();
@@ -119,34 +120,6 @@ class ProgramComparison {
     return options;
   }
 
-  void nameAssumptions() {
-    for (const Side* side : {&before_, &after_}) {
-      for (const std::string& text :
-           environmentTexts(*side->program, side->set, options_.prover.time, options_.prover.choices)) {
-        if (std::ranges::find(result_.assumptions, text) == result_.assumptions.end())
-          result_.assumptions.push_back(text);
-      }
-    }
-    for (const Property& assumption : options_.assumptions) result_.assumptions.push_back(assumption.text);
-    for (const Side* side : {&before_, &after_}) {
-      const bool hasRoutines =
-          std::ranges::any_of(side->program->pous, [](const Pou& pou) { return pou.kind == PouKind::Interrupt; });
-      if (!hasRoutines) continue;
-      result_.assumptions.push_back(options_.interruptsInside ? "interrupts come anywhere in a scan"
-                                                              : "interrupts come between scans");
-      break;
-    }
-    if (sendsMessages(*before_.program) || sendsMessages(*after_.program))
-      result_.assumptions.emplace_back("what XMT and NETW send is no output, and is not compared");
-    if (options_.steadyInputs) result_.assumptions.push_back("physical inputs are steady for the whole scan");
-    if (options_.latency > 0)
-      result_.assumptions.push_back(
-          fmt::format("NEW in scan k + {0} is compared with OLD in scan k", options_.latency));
-    if (options_.settleMs > 0)
-      result_.assumptions.push_back(
-          fmt::format("outputs may differ for less than {} ms without a break", options_.settleMs));
-  }
-
   void nameApproximations(ProgramProduct& product) {
     for (const auto& [side, askedProperties] :
          {std::pair{&before_, &product.oldSide()}, {&after_, &product.newSide()}}) {
@@ -205,7 +178,7 @@ class ProgramComparison {
     // Its immediate reads find 0 whatever the input is.
     const BothRuns runs{*before_.program, *after_.program, options_,
                         namedOutputs(*before_.program, *after_.program, options_), true};
-    isExplored_ = runs.judged(stimulusOnly(early)).has_value();
+    isExplored_ = runs.judged(stimulusOnly(*before_.program, *after_.program, early)).has_value();
     if (!isExplored_) early.beyondTrace.emplace_back(differingReads);
     if (early.scan > 1) {
       try {
@@ -389,12 +362,6 @@ class ProgramComparison {
     return trace && show(relaxed, both, asked, *trace, open);
   }
 
-  static Node anyOf(Graph& graph, const std::vector<Question>& questions, const std::vector<std::size_t>& open) {
-    Graph::Bool any = graph.constant(false);
-    for (const std::size_t i : open) any = graph.lor(any, {questions[i].bad});
-    return any.node;
-  }
-
   /// Whether the run, made by the engine on both programs, ends with a difference of an open output.
   bool show(ProgramProduct& product, const JoinedSystem& merged, const TransitionSystem& asked, const WordTrace& trace,
             const std::vector<std::size_t>& open) {
@@ -409,7 +376,7 @@ class ProgramComparison {
                         comparesStops(merged, open)};
     const auto shown = runs.judged(std::move(run));
     if (!shown) return false;
-    auto repeated = runs.judged(stimulusOnly(*shown));
+    auto repeated = runs.judged(stimulusOnly(*before_.program, *after_.program, *shown));
     if (!repeated && isExplored_) return false;  // a run that anyone can repeat is better than a shorter one
     if (!repeated) {
       repeated = runs.judged(without(*shown, isUndefinedRead));
@@ -422,91 +389,6 @@ class ProgramComparison {
     return repeated.has_value();
   }
 
-  /// The run without values inside a scan that belong to a kind.
-  static EquivalenceRun without(EquivalenceRun run, bool (*isLeftOut)(External)) {
-    for (std::vector<ReplayScan>* scans : {&run.before, &run.after}) {
-      for (ReplayScan& scan : *scans)
-        std::erase_if(scan.externals, [&](const ExternalValue& value) { return isLeftOut(value.site.kind); });
-    }
-    return run;
-  }
-  static EquivalenceRun withoutMoments(EquivalenceRun run) {
-    for (std::vector<ReplayScan>* scans : {&run.before, &run.after}) {
-      for (ReplayScan& scan : *scans) {
-        scan.script.ticks10.reset();
-        scan.script.ticks100.reset();
-        scan.script.ticks1.clear();
-      }
-    }
-    return run;
-  }
-  static std::optional<std::uint64_t> givenBit(const ReplayScan& scan, std::uint32_t index) {
-    for (const PresetValue& input : scan.inputs) {
-      if (input.operand.area != Area::I) continue;
-      const Place place = memoryPlace(Area::I, input.operand.offset, input.operand.width, input.operand.bit);
-      for (std::uint32_t i = 0; i < place.width; ++i) {
-        if (bitOf(place, i).index == index) return input.value >> (place.width - 1 - i) & 1U;
-      }
-    }
-    return std::nullopt;
-  }
-  /// Immediate reads find what the input of the scan is, as in a run by a stimulus.
-  static void holdImmediateReads(const Program& program, std::vector<ReplayScan>& scans) {
-    for (const Pou& pou : program.pous) {
-      for (const Network& network : pou.networks) {
-        for (const Instruction& instruction : network.instructions) {
-          if (!instruction.desc->immediate || instruction.operands.empty()) continue;
-          const Operand& o = instruction.operands[0];
-          if (o.kind != OperandKind::Direct || o.area != Area::I) continue;
-          for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(bits(o.width)); ++i) {
-            const std::uint32_t index = bitOf(memoryPlace(Area::I, o.offset, o.width, o.bit), i).index;
-            std::uint64_t last = 0;
-            for (ReplayScan& scan : scans) {
-              last = givenBit(scan, index).value_or(last);
-              scan.externals.push_back({{External::ImmediateInput, index, instruction.id}, last});
-            }
-          }
-        }
-      }
-    }
-  }
-
-  /// The run from power-up with nothing but what every stimulus gives: inputs, lengths of scans, events, devices.
-  EquivalenceRun stimulusOnly(const EquivalenceRun& run) const {
-    EquivalenceRun plain = withoutMoments(without(run, [](External) { return true; }));
-    plain.initialBefore.reset();
-    plain.initialAfter.reset();
-    holdImmediateReads(*before_.program, plain.before);
-    holdImmediateReads(*after_.program, plain.after);
-    return plain;
-  }
-  /// What the difference is gone without, or what of a run the reader of a trace passes over.
-  static std::vector<std::string> beyondTrace(const BothRuns& runs, const EquivalenceRun& run) {
-    struct Source {
-      const char* text;
-      bool (*isLeftOut)(External);
-    };
-    static constexpr Source sources[] = {
-        {differingReads,
-         [](External kind) { return kind == External::AnalogInput || kind == External::ImmediateInput; }},
-        {"the clock",
-         [](External kind) {
-           return kind == External::ClockByte || kind == External::IntervalClock || kind == External::CalendarDay ||
-                  kind == External::TimeOfDay;
-         }},
-        {"when within its base a timer begins", [](External kind) { return kind == External::TimerPhase; }},
-        {"what the manual or a device leaves open", [](External kind) {
-           return kind == External::NetworkStatus || kind == External::ReceivedByte ||
-                  kind == External::StationAddress || kind == External::UnknownStatus ||
-                  kind == External::UnknownResult || kind == External::AccessError;
-         }}};
-    std::vector<std::string> needed;
-    for (const Source& source : sources) {
-      if (!runs.judged(without(run, source.isLeftOut))) needed.emplace_back(source.text);
-    }
-    if (!runs.judged(withoutMoments(run))) needed.emplace_back("moments of 1 ms within a scan");
-    return needed;
-  }
   void noteUndefined(const EquivalenceRun& run) {
     std::set<std::string>& reads = undefined_[run.signal];
     for (const auto& [side, scans] : {std::pair{&before_, &run.before}, {&after_, &run.after}}) {
@@ -517,29 +399,6 @@ class ProgramComparison {
         }
       }
     }
-  }
-  static std::string undefinedText(const Program& program, const ExternalSite& site) {
-    std::string what = site.kind == External::StackBottom   ? "a level of the logic stack that nothing has filled"
-                       : site.kind == External::LocalMemory ? fmt::format("local memory LB{}", site.index)
-                                                            : "a register at the start of an organization block";
-    for (const Pou& pou : program.pous) {
-      for (const Network& network : pou.networks) {
-        for (const Instruction& instruction : network.instructions) {
-          if (instruction.id == site.instruction) return fmt::format("{} ({})", what, placeText(program, instruction));
-        }
-      }
-    }
-    return what;
-  }
-  static std::vector<ObservedBit> observedOf(const JoinedSystem& merged, const std::vector<std::size_t>& open) {
-    std::vector<ObservedBit> wanted;
-    for (const std::size_t i : open) {
-      if (i < merged.observed.size()) wanted.push_back(merged.observed[i]);
-    }
-    return wanted;
-  }
-  static bool comparesStops(const JoinedSystem& merged, const std::vector<std::size_t>& open) {
-    return std::ranges::find(open, merged.observed.size()) != open.end();
   }
   /// A run on which an output differs; the first one is shown.
   void take(const EquivalenceRun& run) {
@@ -598,7 +457,8 @@ class ProgramComparison {
     guardSide(before_, product.oldSide());
     guardSide(after_, product.newSide());
     guardRuns(product);
-    if (usesPulses() && (comparesPulseOutputs() || dependOnDevices_) && !product.pulsesCorrespond(correspondence_.isMerged))
+    if (usesPulses() && (comparesPulseOutputs() || dependOnDevices_) &&
+        !product.pulsesCorrespond(correspondence_.isMerged))
       note(
           "what PLS makes of its outputs may differ in a way that is not compared: by profiles, or by constant "
           "levels");
@@ -695,15 +555,6 @@ class ProgramComparison {
     result_.equality = Equality::Unknown;
     result_.run.reset();
   }
-  static std::vector<std::string> reasonsFor(const UnreadCode& unread, const std::optional<Address>& address) {
-    if (!address) return unread.reasons();
-    ExprNode node;
-    node.op = ExprOp::Address;
-    node.operand = operandAt(*address);
-    Property property;
-    property.first.nodes.push_back(node);
-    return unread.reasons(property);
-  }
   void guardSide(const Side& side, AskedProperties& askedProperties) {
     EncodedScan& encoding = askedProperties.encoding();
     if (const auto reason = unfollowedRoutine(*side.program, encoding)) note(*reason);
@@ -721,7 +572,6 @@ class ProgramComparison {
     }
   }
 
-  static constexpr const char* differingReads = "several reads of one input in a scan that differ";
   static constexpr int unlimited = 1 << 30;
   const Side& before_;
   const Side& after_;
@@ -736,7 +586,7 @@ class ProgramComparison {
   bool isExplored_ = false;  ///< a run of the engine is there already
   const char* method_ = "";
   std::map<std::string, std::set<std::string>> undefined_;  ///< by output: reads without which it does not differ
-  bool dependOnDevices_ = false;  ///< outputs that are equal
+  bool dependOnDevices_ = false;                            ///< outputs that are equal
   int depth_ = unlimited;
   Equivalence result_;
 };

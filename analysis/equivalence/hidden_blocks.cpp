@@ -36,8 +36,8 @@ void addReasons(const std::map<std::string, bool>& hidden, const std::map<std::s
           "{} is called in {} without its instructions, which {} shows: whether both do the same is not known", name,
           own, others));
     else if (!isLibrary && !there.contains(name))
-      reasons.push_back(
-          fmt::format("only {} calls {}, whose instructions are not in the text: what it does is not known", own, name));
+      reasons.push_back(fmt::format(
+          "only {} calls {}, whose instructions are not in the text: what it does is not known", own, name));
   }
 }
 

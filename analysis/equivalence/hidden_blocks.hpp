@@ -1,6 +1,6 @@
 // Blocks without text in a comparison. What a block does that a password protects, or that no file holds, is any value
-// within its contract (ir/s7200/call_contract.hpp). That says nothing about a block whose instructions the other program
-// shows, nor about a call that only one program makes: then equality is open. Tested by
+// within its contract (ir/s7200/call_contract.hpp). That says nothing about a block whose instructions the other
+// program shows, nor about a call that only one program makes: then equality is open. Tested by
 // tests/equivalence/undefined_test.cpp.
 #pragma once
 

@@ -212,9 +212,9 @@ class ProgramProduct {
 
   const ProductOptions options_;
   const ProgramMatch& match_;
-  std::set<std::uint32_t> sameInstructions_;  ///< of NEW, in networks that OLD has too
+  std::set<std::uint32_t> sameInstructions_;      ///< of NEW, in networks that OLD has too
   std::map<Node, ExternalSite> sharedUndefined_;  ///< by nodes of OLD's graph
-  RequestRecord oldRequests_, newRequests_;  ///< the encodings tell them
+  RequestRecord oldRequests_, newRequests_;       ///< the encodings tell them
   AskedProperties old_, new_;
   TransitionSystem oldSystem_, newSystem_;
   RelationCandidates relations_;

@@ -1,9 +1,9 @@
 // AsWritten: the system of a program beside the simplified one on which proofs are found: the same scan encoded along
 // the same trail, but with every operation as it was written. Certificates are about this one, and exports print it: a
 // value that a simplification gets wrong cannot pass for a proof. What the trail says is followed and not shown: which
-// way conditions of the flow have a known value (Graph::decided() lists those that are no constants here), which targets
-// a pointer can have, and what runs of interrupt routines leave. A decision that is wrong would pass. Cells that keep
-// their value are shown, as part of the invariant. Covered by tests/certificate.
+// way conditions of the flow have a known value (Graph::decided() lists those that are no constants here), which
+// targets a pointer can have, and what runs of interrupt routines leave. A decision that is wrong would pass. Cells
+// that keep their value are shown, as part of the invariant. Covered by tests/certificate.
 #pragma once
 
 #include <map>

@@ -55,15 +55,15 @@ std::string clockText(std::uint64_t phase, std::uint64_t period, const std::stri
   return fmt::format("{} starts {} ms into its period of {} ms, first off, then on", bit, phase, period);
 }
 
-/// Devices whose values the encoding leaves open although the machine narrows them; nothing for what is an input anyway.
+/// Devices whose values the encoding leaves open although the machine narrows them; nothing for what is an input
+/// anyway.
 std::string_view anyValueOf(External kind) {
   switch (kind) {
     case External::IntervalClock:
       return "interval clock = any value at each read: how much time has passed is not followed";
     case External::ClockByte: return "clock = any time at each read: how much time has passed is not followed";
     case External::CalendarDay:
-    case External::TimeOfDay:
-      return "date and time = any value at each read: how much time has passed is not followed";
+    case External::TimeOfDay: return "date and time = any value at each read: how much time has passed is not followed";
     default: return {};
   }
 }
@@ -77,8 +77,8 @@ std::vector<std::string> anyValuesOf(const EncodedScan& scan, const std::unorder
     const bool isCount = cell.place.isRegister && cell.place.reg == Reg::HscCurrent;
     if (!isCount || cell.kind != CellKind::Input || !variables.contains(indexOf(cell.start))) continue;
     const std::uint32_t counter = cell.place.at;
-    add(fmt::format("HC{} = any value after HDEF {}: pulses, and whether SM{}.7 lets it count, are not followed", counter,
-                    counter, isa::hscControl[counter]));
+    add(fmt::format("HC{} = any value after HDEF {}: pulses, and whether SM{}.7 lets it count, are not followed",
+                    counter, counter, isa::hscControl[counter]));
   }
   for (const ExternalInput& e : scan.externals()) {
     if (e.node != noNode && variables.contains(indexOf(e.node))) add(std::string(anyValueOf(e.site.kind)));

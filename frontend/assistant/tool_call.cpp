@@ -1,6 +1,6 @@
 // From the arguments of a call to a command, and from what it prints to a result.
 #include <fmt/ranges.h>
-#include <unistd.h>
+#include <stdlib.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -91,20 +91,23 @@ std::string readArguments(const Tool& tool, const Json& arguments, ToolCall& cal
   return {};
 }
 
-/// A file for what a command writes beside its text; gone when the object is.
-class BesideFile {
+/// A folder for what a command writes beside its text; gone when the object is. Nobody else can reach it: in a common
+/// folder a link with the name of the file could lead to any file of the user.
+class BesideFolder {
  public:
-  explicit BesideFile(std::string_view ending)
-      : name_((std::filesystem::temp_directory_path() / fmt::format("rungproof-{}{}", ::getpid(), ending)).string()) {}
-  ~BesideFile() {
-    std::error_code error;
-    std::filesystem::remove(name_, error);
+  BesideFolder() : name_((std::filesystem::temp_directory_path() / "rungproof-XXXXXX").string()) {
+    if (::mkdtemp(name_.data()) == nullptr) name_.clear();
   }
-  BesideFile(const BesideFile&) = delete;
-  BesideFile& operator=(const BesideFile&) = delete;
+  ~BesideFolder() {
+    std::error_code error;
+    if (isThere()) std::filesystem::remove_all(name_, error);
+  }
+  BesideFolder(const BesideFolder&) = delete;
+  BesideFolder& operator=(const BesideFolder&) = delete;
 
-  const std::string& name() const { return name_; }
-  std::string text() const { return bytesOfInput(name_).value_or(""); }
+  bool isThere() const { return !name_.empty(); }
+  std::string file(std::string_view name) const { return fmt::format("{}/{}", name_, name); }
+  std::string text(std::string_view name) const { return bytesOfInput(file(name)).value_or(""); }
 
  private:
   std::string name_;
@@ -119,20 +122,23 @@ std::string shortened(std::string text, bool isStructured) {
 
 std::string runTool(const Tool& tool, const ToolCall& call, const std::vector<std::string>& given) {
   for (const NamedText& text : call.texts) holdText(text.name, {text.text, TextEncoding::Utf8});
-  const BesideFile structured(".json"), trace(".csv");
+  const BesideFolder beside;
+  if (!beside.isThere()) return errorResult("no folder can be made in the folder of temporary files").dump();
+  constexpr std::string_view structured = "result.json", trace = "trace.csv";
   std::vector<std::string> arguments = {std::string(tool.name), "--color=never"};
   arguments.insert(arguments.end(), given.begin(), given.end());
   arguments.insert(arguments.end(), call.options.begin(), call.options.end());
   arguments.push_back(fmt::format("--format={}", tool.textFormat));
-  if (!tool.jsonFormat.empty()) arguments.push_back(fmt::format("--format={}={}", tool.jsonFormat, structured.name()));
-  if (tool.name == "sim") arguments.push_back("--trace=" + trace.name());
+  if (!tool.jsonFormat.empty())
+    arguments.push_back(fmt::format("--format={}={}", tool.jsonFormat, beside.file(structured)));
+  if (tool.name == "sim") arguments.push_back("--trace=" + beside.file(trace));
   arguments.emplace_back("--");
   if (tool.needsProgram) arguments.push_back(call.path.empty() ? std::string(inlineName) : call.path);
   arguments.insert(arguments.end(), call.behind.begin(), call.behind.end());
   const CommandOutput output = outputOf(arguments);
 
-  std::optional<Json> json = Json::read(structured.text());
-  const std::string rows = trace.text();
+  std::optional<Json> json = Json::read(beside.text(structured));
+  const std::string rows = beside.text(trace);
   if (json && !rows.empty()) (*json)["trace"] = rows;
   const bool isError = output.exit == 2;
   std::string text = output.out;

@@ -112,7 +112,7 @@ std::vector<std::string> statementLines(const Program& program, const Network& n
 
 /// More than this nobody can read, and the layout takes time and memory with the product of columns and rows.
 constexpr std::size_t mostElements = 2'000;
-constexpr std::size_t mostCells = 100'000;
+constexpr std::size_t mostPlaces = 100'000;
 
 /// Why a network is too large for a picture; empty: it is not. Instructions include those that join and branch.
 std::string sizeReason(const Network& network, const Drawing* drawing) {
@@ -135,7 +135,7 @@ std::string sizeReason(const PlanNodes& plan) {
     rows += node.inputs.size() > 1 ? node.inputs.size() - 1 : 0;
     rows += node.kind == NodeKind::Coil || node.kind == NodeKind::Leaf;
   }
-  if (columns * rows <= mostCells) return {};
+  if (columns * rows <= mostPlaces) return {};
   return fmt::format("too large to draw: {} symbols side by side and {} branches below each other", columns, rows);
 }
 

@@ -11,13 +11,13 @@
 #include "frontend/property/property_lexer.hpp"
 #include "frontend/property/property_message.hpp"
 #include "frontend/property/property_types.hpp"
+#include "frontend/property/unread_statement.hpp"
 #include "frontend/step7/name_lookup.hpp"
 #include "frontend/stl/missing_address.hpp"
 #include "ir/desc.hpp"
 #include "ir/s7300/cpu.hpp"
 
 namespace rungproof {
-
 namespace {
 
 /// A mistake in a statement; leaves the parser at once, becomes a finding.
@@ -567,18 +567,6 @@ class Parser {
   std::size_t at_ = 0;
   int depth_ = 0;
 };
-
-/// Whether an unread line may be an assumption or a statement about the surroundings: any but those that certainly ask.
-bool maySayOfTheWorld(std::string_view line) {
-  std::string word;
-  for (const char c : line) {
-    const bool isLetter = std::isalpha(static_cast<unsigned char>(c)) != 0;
-    if (isLetter) word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (!isLetter && !word.empty()) break;
-    if (!isLetter && c != ' ' && c != '\t') break;
-  }
-  return word != "prove" && word != "reach" && word != "at";
-}
 
 }  // namespace
 

@@ -120,7 +120,7 @@ std::string startOf(const Program& program, const Choices& choices, const Concre
   return cell;
 }
 
-std::optional<std::uint64_t> wholeNumber(std::string_view text) {
+std::optional<std::uint64_t> givenNumber(std::string_view text) {
   std::uint64_t value = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (text.empty() || error != std::errc() || stop != text.data() + text.size()) return std::nullopt;
@@ -135,7 +135,7 @@ struct Indexed {
 std::optional<Indexed> indexedIn(std::string_view text) {
   const std::size_t open = text.rfind('[');
   if (open == std::string_view::npos || !text.ends_with(']')) return std::nullopt;
-  const auto index = wholeNumber(text.substr(open + 1, text.size() - open - 2));
+  const auto index = givenNumber(text.substr(open + 1, text.size() - open - 2));
   if (!index || *index > 0xFFFFFFFFU) return std::nullopt;
   return Indexed{text.substr(0, open), static_cast<std::uint32_t>(*index)};
 }
@@ -195,9 +195,9 @@ std::optional<ScanPlace> GivenReader::place(std::string_view text) {
   std::optional<ScanPlace> found;
   if (text.starts_with('#')) {
     const std::size_t star = text.find('*');
-    const auto number = wholeNumber(text.substr(1, star - 1));
+    const auto number = givenNumber(text.substr(1, star - 1));
     const auto visit =
-        star == std::string_view::npos ? std::optional<std::uint64_t>(1) : wholeNumber(text.substr(star + 1));
+        star == std::string_view::npos ? std::optional<std::uint64_t>(1) : givenNumber(text.substr(star + 1));
     if (number && *number <= 0xFFFFFFFFU && visit && *visit >= 1 && *visit <= 0xFFFFFFFFU)
       found = ScanPlace{static_cast<std::uint32_t>(*number), static_cast<std::uint32_t>(*visit - 1)};
   } else {
@@ -209,7 +209,7 @@ std::optional<ScanPlace> GivenReader::place(std::string_view text) {
 
 bool GivenReader::readItem(std::string_view item, StimulusRow& row) {
   const std::size_t equals = item.rfind('=');
-  const auto value = equals == std::string_view::npos ? std::nullopt : wholeNumber(item.substr(equals + 1));
+  const auto value = equals == std::string_view::npos ? std::nullopt : givenNumber(item.substr(equals + 1));
   if (!value) return false;
   std::string_view name = item.substr(0, equals);
   if (name.starts_with("set.")) {
@@ -248,7 +248,7 @@ bool GivenReader::readGiven(std::string_view cell, StimulusRow& row, Failure& fa
 bool GivenReader::readStart(std::string_view cell, std::vector<StartValue>& start, Failure& failure) const {
   const auto refused = firstRefused(cell, [&](std::string_view item) {
     const std::size_t equals = item.rfind('=');
-    const auto value = equals == std::string_view::npos ? std::nullopt : wholeNumber(item.substr(equals + 1));
+    const auto value = equals == std::string_view::npos ? std::nullopt : givenNumber(item.substr(equals + 1));
     const auto indexed = value ? indexedIn(item.substr(0, equals)) : std::nullopt;
     if (!indexed) return false;
     if (indexed->name.starts_with(memoryWord)) {

@@ -319,7 +319,8 @@ Spot<D> Step7Places<D>::at(Bits location, Width width) {
 /// stands there is not known.
 template <class D>
 void Step7Places<D>::meetErrorsAt(Bits location, Width width) {
-  const Bits code = d_.extract(location, 47, 40), block = d_.extract(location, 39, 24), bit = d_.extract(location, 23, 0);
+  const Bits code = d_.extract(location, 47, 40), block = d_.extract(location, 39, 24),
+             bit = d_.extract(location, 23, 0);
   const Bool isBit = d_.constant(width == Width::Bit);
   const Bool isWhole = d_.lor(isBit, d_.equal(d_.extract(bit, 2, 0), number(0, 3), 3));
   const auto isIn = [&](Area area) { return d_.equal(code, number(static_cast<std::uint64_t>(area), 8), 8); };
@@ -351,8 +352,7 @@ void Step7Places<D>::meetErrorsAt(Bits location, Width width) {
   m_.error(Hazard::S7AreaUnknown, d_.lnot(isArea));
   m_.error(Hazard::S7Alignment, d_.land(isArea, d_.lnot(isWhole)));
   m_.error(Hazard::S7BlockMissing, d_.land(isWhole, isMissing));
-  m_.error(Hazard::S7AreaLength,
-           d_.land(d_.land(isArea, isWhole), d_.land(d_.lnot(isMissing), d_.lnot(reaches))));
+  m_.error(Hazard::S7AreaLength, d_.land(d_.land(isArea, isWhole), d_.land(d_.lnot(isMissing), d_.lnot(reaches))));
 }
 
 /// Whether the module does not answer, which calls OB122 (002:1292). Without OB122 all of them do.

@@ -1,4 +1,8 @@
 // Each tool with a program of a few lines whose answer is plain, and wrong arguments.
+#include <stdlib.h>
+
+#include <filesystem>
+
 #include "tests/assistant/assistant_session.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -13,6 +17,23 @@ const std::string locked =
     "Network 2\nLD I0.1\nAN Q0.0\n= Q0.1\n";
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// A file with a name that others can guess would be written through a link that they planted: what a command writes
+// beside its text stands in a folder of its own, which goes with the call.
+TEST(Tool, NothingStaysInTheCommonTemporaryFolder) {
+  const TemporaryFolder common;
+  const char* given = std::getenv("TMPDIR");
+  const std::string before = given == nullptr ? "" : given;
+  ::setenv("TMPDIR", common.folder().c_str(), 1);
+  {
+    AssistantSession session;
+    const Json run = session.call("sim", {{"program", locked}, {"stimulus", "scan,I0.0\n1,1\n"}});
+    EXPECT_TRUE(contains(textAt(run, "structuredContent/trace"), "Q0.0")) << run.dump(1);
+    for (const auto& entry : std::filesystem::directory_iterator(common.folder()))
+      ADD_FAILURE() << entry.path() << " stays after the call";
+  }
+  given == nullptr ? ::unsetenv("TMPDIR") : ::setenv("TMPDIR", before.c_str(), 1);
+}
 
 TEST(Tool, LintNamesRuleAndPlace) {
   AssistantSession session;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <regex>
+#include <sstream>
 
 #include "frontend/command.hpp"
 #include "program_run.hpp"
@@ -39,6 +40,25 @@ TEST(CiFiles, ActionWritesFormsThatExist) {
   EXPECT_EQ(forms, 3);
   EXPECT_NE(text.find("bash .ci/install"), std::string::npos);
   EXPECT_FALSE(fileText(".ci/install").empty());
+}
+
+// The runner refuses '..' in a cache path, and hashFiles sees no file outside the workspace: the first step would fail,
+// or keep an old program for ever.
+TEST(CiFiles, ActionNamesItsSourcesWithoutLeavingTheWorkspace) {
+  const std::string text = fileText("frontend/ci/action.yml");
+  int lines = 0;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t word = line.find_first_not_of(' ');
+    if (word == std::string::npos || line[word] == '#') continue;
+    if (!line.substr(word).starts_with("path:") && !line.substr(word).starts_with("key:")) continue;
+    ++lines;
+    EXPECT_EQ(line.find(".."), std::string::npos) << line;
+    EXPECT_NE(line.find("steps.sources.outputs."), std::string::npos) << line;
+    EXPECT_EQ(line.find("action_ref"), std::string::npos) << "a branch moves, its name stays: " << line;
+  }
+  EXPECT_EQ(lines, 2);
+  EXPECT_EQ(text.find("hashFiles("), std::string::npos);
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ const std::map<std::string, RuleAddresses>& explainedFindings() {
       {"door.xml", {"SAF005 Q0.0", "SAF005 Q0.1"}},
       {"fans.xml", {"SAF005 Q0.2"}},
       {"lubrication.xml", {"SAF005 Q0.0", "SAF005 Q0.1"}},
-      {"pump_alternation.xml", {"SAF005 Q0.0"}},
+      // The edge of the demand comes in the first scan and passes the lead on.
+      {"pump_alternation.xml", {"SAF005 Q0.1"}},
       {"parcel_counter.xml", {"SAF005 Q0.0", "SAF005 Q0.1"}},
       {"tank_pump.xml", {"SAF005 Q0.0"}},
       {"two_valves.xml", {"SAF005 Q0.2", "SAF005 Q0.3"}},

@@ -104,6 +104,8 @@ std::string impossibleEvent(const std::string& text, const std::string& trace) {
     std::getline(cells, cell, ',');
     std::istringstream events(cell);
     for (std::string event; events >> event;) {
+      // "q10@17" is served from the queue, "&10@17" together with the next.
+      if (event.front() == 'q' || event.front() == '&') event.erase(0, 1);
       // "17x1@5" is event 1, 17 times.
       const std::size_t times = event.find('x');
       const std::size_t begin = times == std::string::npos ? 0 : times + 1;
