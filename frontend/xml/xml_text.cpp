@@ -72,6 +72,7 @@ XmlText::XmlText(const SourceFile& file, SyntaxSink& sink, std::initializer_list
   if (declaresEntities()) {
     parts_.clear();
   } else {
+    refuseWhatFollows();
     refuseDepth();
   }
 }
@@ -122,6 +123,26 @@ bool XmlText::declaresEntities() {
     }
   }
   return false;
+}
+
+/// A document has one element; what stands beside it belongs to nothing and is not read.
+void XmlText::refuseWhatFollows() {
+  if (parts_.empty() || parts_.front().isDamaged) return;
+  const Part& whole = parts_.front();
+  bool isThere = false;
+  for (pugi::xml_node node = whole.document->first_child(), next; node; node = next) {
+    next = node.next_sibling();
+    const bool isElement = node.type() == pugi::node_element;
+    const bool isText = node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata;
+    if ((isElement && !isThere) || (!isElement && !isText)) {
+      isThere = isThere || isElement;
+      continue;
+    }
+    sink_.report(Syntax::XmlDamaged, span(whole, node),
+                 isElement ? fmt::format("<{}> stands behind the end of the document and is not read", node.name())
+                           : std::string("text stands outside the document and is not read"));
+    whole.document->remove_child(node);
+  }
 }
 
 /// Cuts off what is nested too deeply, so that nobody behind has to think of the depth of a tree.

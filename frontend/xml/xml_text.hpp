@@ -36,6 +36,7 @@ class XmlText {
  private:
   void parse(std::uint32_t begin, std::uint32_t end, bool isWhole, std::initializer_list<std::string_view> restart);
   bool declaresEntities();
+  void refuseWhatFollows();
   void refuseDepth();
 
   const SourceFile& file_;

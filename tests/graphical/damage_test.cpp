@@ -83,6 +83,19 @@ TEST(XmlDamage, WhatStandsBehindTheDamageIsRead) {
   ASSERT_FALSE(both.pous.empty());
 }
 
+// A document has one element: what follows it is no part of the program.
+TEST(XmlDamage, NothingFollowsTheDocument) {
+  const std::string project = plcopen(bits, "LD", rung);
+  for (const std::string& tail :
+       {std::string("LD I0.5\n= Q0.0\n"), std::string("<project/>"), project.substr(project.find("<project"))}) {
+    const Program program = readText("t.xml", project + tail);
+    EXPECT_EQ(rules(program), "SYN033 ") << tail;
+    ASSERT_FALSE(program.pous.empty());
+    EXPECT_EQ(show(program.pous[0]), "LD I0.0; = Q0.0") << "the drawing itself is read once";
+  }
+  EXPECT_EQ(rules(readText("t.xml", project + "\n<!-- made by hand -->\n")), "");
+}
+
 TEST(XmlDamage, EntitiesAreRefused) {
   const Program program = readText(
       "t.xml",
