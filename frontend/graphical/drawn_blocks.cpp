@@ -48,9 +48,6 @@ std::optional<std::int64_t> constantPreset(DrawnBuild& build, DrawnCopy& copy, c
 Operand timerOperand(const DrawnCopy& instance) {
   return direct(Area::T, Width::Bit, static_cast<std::uint32_t>(instance.number));
 }
-Operand counterOperand(const DrawnCopy& instance) {
-  return direct(Area::C, Width::Bit, static_cast<std::uint32_t>(instance.number));
-}
 
 }  // namespace
 
@@ -103,20 +100,10 @@ void DrawnBlocks::prepare(DrawnBuild& build, DrawnCopy& copy, const DrawnNetwork
           instance.places["ET"] = VariablePlace{IecType::Time, *address, std::nullopt, nullptr};
       }
     } else if (isCounter(type)) {
-      const auto number = build.memory().counter();
-      if (!number) {
-        instance.isBroken = true;
-        build.sink().operand(element, "the CPU has no counter left for it");
-        continue;
-      }
-      instance.number = *number;
-      instance.places["CV"] = VariablePlace{IecType::Int, counterOperand(instance), std::nullopt, nullptr};
-      if (type == StandardBlock::Ctud) {
-        bit("QU");
-        bit("QD");
-      } else {
-        instance.places["Q"] = VariablePlace{IecType::Bool, counterOperand(instance), std::nullopt, nullptr};
-      }
+      if (const auto address = build.temporary(IecType::Int))
+        instance.places["CV"] = VariablePlace{IecType::Int, *address, std::nullopt, nullptr};
+      bit(type == StandardBlock::Ctud ? "QU" : "Q");
+      if (type == StandardBlock::Ctud) bit("QD");
     } else {
       bit(type == StandardBlock::Sr || type == StandardBlock::Rs ? "Q1" : "Q");
     }
@@ -227,7 +214,7 @@ bool DrawnBlocks::timer(const DrawnElement& element, DrawnCopy& instance, Wire i
   return elapsedTime(element, instance, value);
 }
 
-bool DrawnBlocks::counter(const DrawnElement& element, DrawnCopy& instance, std::initializer_list<Wire> in, Wire load) {
+bool DrawnBlocks::counter(const DrawnElement& element, DrawnCopy& instance, const Counted& in) {
   const DrawnPin* pv = pin(element, {"PV"});
   if (pv == nullptr || (pv->links.empty() && pv->expression.empty())) {
     l_.sink_.operand(element, "input PV is left open");
@@ -237,13 +224,34 @@ bool DrawnBlocks::counter(const DrawnElement& element, DrawnCopy& instance, std:
   if (value.kind == DrawnValue::Kind::Nothing) return false;
   const std::optional<Operand> preset = l_.widened(value, Arithmetic::Int, l_.rail(), element);
   if (!preset) return false;
-  const Operand number = counterOperand(instance);
-  const bool isBoth = instance.standard == StandardBlock::Ctud;
-  l_.add(Shape::Box, isBoth ? "CTUD" : instance.standard == StandardBlock::Ctu ? "CTU" : "CTD", {number, *preset}, in);
-  if (!isBoth) return true;
-  if (!l_.isFalse(load)) l_.box("MOVW", {*preset, number}, load);
-  l_.assign(instance.places.at("QU").operand, l_.compare("LDW>=", number, *preset, l_.rail()));
-  l_.assign(instance.places.at("QD").operand, l_.compare("LDW<=", number, constant(0), l_.rail()));
+  const Operand& count = instance.places.at("CV").operand;
+  const auto bitOf = [&](Wire wire) {
+    const Operand bit = l_.temporary(IecType::Bool);
+    l_.assign(bit, wire);
+    return bit;
+  };
+  const auto edgeOf = [&](const std::optional<Wire>& wire) {
+    return wire ? std::optional(bitOf(l_.edge(*wire, DrawnEdge::Rising))) : std::nullopt;
+  };
+  // Edges count in every scan, also while the counter is reset or loaded.
+  const auto load = in.load ? std::optional(bitOf(*in.load)) : std::nullopt;
+  const auto reset = in.reset ? std::optional(bitOf(*in.reset)) : std::nullopt;
+  const auto up = edgeOf(in.up), down = edgeOf(in.down);
+  /// Edges of both inputs in one scan cancel each other.
+  const auto alone = [&](const Operand& one, const std::optional<Operand>& other) {
+    const Wire wire = l_.contact(one, l_.rail());
+    return other ? l_.gate(Shape::And, {wire, l_.inverted(l_.contact(*other, l_.rail()))}) : wire;
+  };
+  constexpr std::int64_t most = 32767;
+  if (up) l_.box("+I", {constant(1), count}, l_.compare("LDW<", count, constant(most), alone(*up, down)));
+  if (down) l_.box("-I", {constant(1), count}, l_.compare("LDW>", count, constant(0), alone(*down, up)));
+  if (load) l_.box("MOVW", {*preset, count}, l_.contact(*load, l_.rail()));
+  if (reset) l_.box("MOVW", {constant(0), count}, l_.contact(*reset, l_.rail()));
+  const auto assign = [&](std::string_view name, std::string_view relation, const Operand& limit) {
+    l_.assign(instance.places.at(std::string(name)).operand, l_.compare(relation, count, limit, l_.rail()));
+  };
+  if (up) assign(down ? "QU" : "Q", "LDW>=", *preset);
+  if (down) assign(up ? "QD" : "Q", "LDW<=", constant(0));
   return true;
 }
 
@@ -288,13 +296,11 @@ bool DrawnBlocks::standard(int i, const DrawnElement& element, DrawnCopy& instan
     case StandardBlock::Ton:
     case StandardBlock::Tof:
     case StandardBlock::Tp: isGood = timer(element, instance, in[0]); break;
-    case StandardBlock::Ctu:
-    case StandardBlock::Ctd: isGood = counter(element, instance, {in[0], in[1]}, {0, true}); break;
-    case StandardBlock::Ctud: {
-      const Wire load = l_.isFalse(in[3]) ? in[3] : l_.gate(Shape::And, {in[3], l_.inverted(in[2])});
-      isGood = counter(element, instance, {in[0], in[1], in[2]}, load);
+    case StandardBlock::Ctu: isGood = counter(element, instance, {.up = in[0], .reset = in[1]}); break;
+    case StandardBlock::Ctd: isGood = counter(element, instance, {.down = in[0], .load = in[1]}); break;
+    case StandardBlock::Ctud:
+      isGood = counter(element, instance, {.up = in[0], .down = in[1], .reset = in[2], .load = in[3]});
       break;
-    }
     case StandardBlock::Sr:
     case StandardBlock::Rs: {
       const Operand bit = instance.places.at("Q1").operand;

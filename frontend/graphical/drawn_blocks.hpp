@@ -3,10 +3,10 @@
 // TON and TOF are the instructions of that name; TP is a TON with a latch. A preset is a number of steps of the
 // timer's resolution: a constant gets a timer that counts it exactly or is refused; a variable one is refused, because
 // no timer counts every duration. ET is the current value in ms.
-// CTU is that of the S7-200, which like the standard's counts on beyond PV; CTD stops at 0, where the standard lets CV
-// go below; CTUD has no load input there, a move into the current value stands for it. SR and RS are a seal-in circuit
-// on one bit. A block whose EN is 0 is jumped over and keeps everything, though its timer goes on.
-// Tested by tests/graphical/block_test.cpp.
+// Counters are a word, CV, that a rising edge moves by one, in the first scan too; edges of CU and CD in one scan
+// cancel each other. CTU counts on beyond PV, as the standard lets it; CTD and CTUD stop at 0, where it lets CV go
+// below. Q is CV >= PV or CV <= 0 at every call. SR and RS are a seal-in circuit on one bit. A block whose EN is 0 is
+// jumped over and keeps everything, though its timer goes on. Tested by tests/graphical/block_test.cpp.
 #pragma once
 
 #include <initializer_list>
@@ -32,7 +32,11 @@ class DrawnBlocks {
   bool timer(const DrawnElement& element, DrawnCopy& instance, Wire in);
   void pulse(DrawnCopy& instance, const Operand& preset, Wire in);
   bool elapsedTime(const DrawnElement& element, DrawnCopy& instance, const DrawnValue& preset);
-  bool counter(const DrawnElement& element, DrawnCopy& instance, std::initializer_list<Wire> in, Wire load);
+  /// What a counter reads; an input that it has not is none.
+  struct Counted {
+    std::optional<Wire> up{}, down{}, reset{}, load{};
+  };
+  bool counter(const DrawnElement& element, DrawnCopy& instance, const Counted& in);
   bool project(int i, const DrawnElement& element, const DrawnBlock& block, DrawnCopy& instance, Wire enable);
   std::optional<Operand> presetOf(const DrawnElement& element, const DrawnCopy& instance, DrawnValue& value);
   std::optional<Wire> powerIn(const DrawnElement& element, std::initializer_list<std::string_view> names,

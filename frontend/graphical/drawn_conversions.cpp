@@ -26,7 +26,19 @@ bool DrawnFunctions::shift(std::string_view name, DrawnValue& result) {
     l_.sink_.operand(e_, "the number of places must be an integer");
     return true;
   } else {
-    count = l_.lowPart(count, Width::Byte);
+    // More than a byte holds is more than any width: nothing is left of the value. Rotations begin anew with each
+    // width.
+    if (widthOf(in_[1].type) == Width::Word && name.front() == 'S') {
+      const Operand places = l_.temporary(IecType::Int);
+      move(count, places, IecType::Int, enable_);
+      move(constant(255), places, IecType::Int, l_.compare("LDW>", places, constant(255), enable_));
+      move(constant(255), places, IecType::Int, l_.compare("LDW<", places, constant(0), enable_));
+      count = places;
+    } else if (widthOf(in_[1].type) == Width::DWord && name.front() == 'S') {
+      l_.sink_.operand(e_, "the number of places must be an INT or a BYTE");
+      return true;
+    }
+    count = widthOf(in_[1].type) == Width::Byte ? count : l_.lowPart(count, Width::Byte);
   }
   result = moved(in_[0], type, enable_);
   l_.box(fmt::format("{}{}{}", name.substr(0, 1) == "S" ? 'S' : 'R', name.back(), width), {result.operand, count},
@@ -42,17 +54,19 @@ bool DrawnFunctions::mathematics(std::string_view name, DrawnValue& result) {
       l_.sink_.operand(e_, fmt::format("{} works on INT, DINT and REAL", name));
       return true;
     }
-    const char letter = type == IecType::Real ? 'R' : type == IecType::Int ? 'I' : 'D';
+    const Arithmetic kind = type == IecType::Real  ? Arithmetic::Real
+                            : type == IecType::Int ? Arithmetic::Int
+                                                   : Arithmetic::DInt;
     const DrawnValue zero = l_.data(type == IecType::Real ? constant(0, ConstantForm::Real) : constant(0), type);
     if (name == "NEG") {
       result = moved(zero, type, enable_);
-      l_.box(fmt::format("-{}", letter), {in_[0].operand, result.operand}, enable_);
+      sum('-', kind, in_[0].operand, result.operand, enable_);
       return true;
     }
     result = moved(in_[0], type, enable_);
     const Wire isNegative = related("<", in_[0], zero, enable_);
     move(zero.operand, result.operand, type, isNegative);
-    l_.box(fmt::format("-{}", letter), {in_[0].operand, result.operand}, isNegative);
+    sum('-', kind, in_[0].operand, result.operand, isNegative);
     return true;
   }
   if (name == "TRUNC" || name == "ROUND") {

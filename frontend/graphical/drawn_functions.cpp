@@ -210,23 +210,102 @@ bool DrawnFunctions::logic(std::string_view name, DrawnValue& result) {
 
 // Arithmetic
 
-/// The remainder: DIV leaves it beside the quotient (001:4890); double integers: a - a / b * b.
+/// Adds to a place or takes from it, modulo 2^16 or 2^32 as IEC 61131-3 programs do. +I, -I, +D and -D leave the place
+/// on overflow (001:4814). The sign bit is then flipped, which is half of the range, and flipped back behind the sum.
+void DrawnFunctions::sum(char sign, Arithmetic kind, const Operand& number, const Operand& place, Wire enable) {
+  const std::string operation = fmt::format("{}{}", sign, letterOf(kind));
+  l_.box(operation, {number, place}, enable);
+  if (kind == Arithmetic::Real) return;
+  const Operand hasOverflow = l_.temporary(IecType::Bool);
+  l_.assign(hasOverflow, l_.gate(Shape::And, {enable, l_.contact(direct(Area::SM, Width::Bit, 1, 1), l_.rail())}));
+  const bool isDouble = kind == Arithmetic::DInt;
+  const Operand half = constant(isDouble ? 0x80000000 : 0x8000, ConstantForm::Hex);
+  const auto again = [&] { return l_.contact(hasOverflow, l_.rail()); };
+  l_.box(isDouble ? "XORD" : "XORW", {half, place}, again());
+  l_.box(operation, {number, place}, again());
+  l_.box(isDouble ? "XORD" : "XORW", {half, place}, again());
+}
+
+/// Products of at most 16 bits: MUL has 32 bits for each, of which the low ones go on.
+std::optional<DrawnValue> DrawnFunctions::product(IecType type) {
+  DrawnValue result = in_[0];
+  for (std::size_t i = 1; i < in_.size(); ++i) {
+    const auto one = factor(result), other = factor(in_[i]);
+    if (!one || !other) return std::nullopt;
+    const Operand wide = l_.temporary(IecType::Dint);
+    move(*one, l_.lowPart(wide, Width::Word), IecType::Int, enable_);
+    l_.box("MUL", {*other, wide}, enable_);
+    result = l_.data(l_.lowPart(wide, widthOf(type)), type);
+  }
+  return result;
+}
+
+/// A product modulo 2^32, of words: *D forms none that needs more bits. With a = 2^16 A + a' and b = 2^16 B + b' it is
+/// a' b' + 2^16 (A b' + a' B). MUL takes a' and b' as signed, so where one is negative the other is missing in the high
+/// word.
+Operand DrawnFunctions::longProduct(const Operand& a, const Operand& b) {
+  const auto copy = [&](const Operand& from) {
+    const Operand place = l_.temporary(IecType::Dint);
+    move(from, place, IecType::Dint, enable_);
+    return place;
+  };
+  const auto high = [](Operand place) {
+    place.width = Width::Word;
+    return place;
+  };
+  const auto low = [&](const Operand& place) { return l_.lowPart(place, Width::Word); };
+  const auto times = [&](const Operand& one, const Operand& other) {
+    const Operand wide = l_.temporary(IecType::Dint);
+    move(one, low(wide), IecType::Int, enable_);
+    l_.box("MUL", {other, wide}, enable_);
+    return wide;
+  };
+  const Operand left = copy(a), right = copy(b);
+  const Operand result = times(low(left), low(right));
+  sum('+', Arithmetic::Int, low(times(high(left), low(right))), high(result), enable_);
+  sum('+', Arithmetic::Int, low(times(low(left), high(right))), high(result), enable_);
+  sum('+', Arithmetic::Int, low(right), high(result), l_.compare("LDW<", low(left), constant(0), enable_));
+  sum('+', Arithmetic::Int, low(left), high(result), l_.compare("LDW<", low(right), constant(0), enable_));
+  return result;
+}
+
+/// A number of at most 16 bits as INT: the low bits of a product are the same whatever the sign means.
+std::optional<Operand> DrawnFunctions::factor(DrawnValue value) {
+  if (value.operand.kind == OperandKind::Constant) {
+    value.operand.value = static_cast<std::int16_t>(value.operand.value);
+  } else if (widthOf(value.type) == Width::Word) {
+    value.type = IecType::Int;
+  }
+  return l_.widened(value, Arithmetic::Int, enable_, e_);
+}
+
+/// The remainder: DIV leaves it beside the quotient (001:4890); double integers: a - a / b * b. That of a division by 0
+/// is 0.
 DrawnValue DrawnFunctions::modulo(const Operands& operands, Arithmetic kind, IecType type) {
   const Operand wide = l_.temporary(IecType::Dint);
-  if (kind == Arithmetic::Int) {
+  const bool isDouble = kind == Arithmetic::DInt;
+  const Operand zero = constant(0);
+  const bool isPlain = operands[1].kind == OperandKind::Constant && operands[1].value != 0;
+  const auto divides = [&] {
+    return isPlain ? enable_ : l_.compare(isDouble ? "LDD<>" : "LDW<>", operands[1], zero, enable_);
+  };
+  Operand rest = wide;
+  if (isDouble) {
+    rest = l_.temporary(IecType::Dint);
+    move(operands[0], wide, IecType::Dint, enable_);
+    l_.box("/D", {operands[1], wide}, divides());
+    l_.box("*D", {operands[1], wide}, divides());
+    move(operands[0], rest, IecType::Dint, enable_);
+    l_.box("-D", {wide, rest}, enable_);
+  } else {
     move(operands[0], l_.lowPart(wide, Width::Word), IecType::Int, enable_);
-    l_.box("DIV", {operands[1], wide}, enable_);
-    Operand remainder = wide;
-    remainder.width = Width::Word;
-    return l_.data(widthOf(type) == Width::Byte ? l_.lowPart(remainder, Width::Byte) : remainder, type);
+    l_.box("DIV", {operands[1], wide}, divides());
+    rest.width = Width::Word;
   }
-  move(operands[0], wide, IecType::Dint, enable_);
-  l_.box("/D", {operands[1], wide}, enable_);
-  l_.box("*D", {operands[1], wide}, enable_);
-  const Operand rest = l_.temporary(IecType::Dint);
-  move(operands[0], rest, IecType::Dint, enable_);
-  l_.box("-D", {wide, rest}, enable_);
-  return l_.data(widthOf(type) == Width::Word ? l_.lowPart(rest, Width::Word) : rest, type);
+  if (!isPlain)
+    move(zero, rest, isDouble ? IecType::Dint : IecType::Int,
+         l_.compare(isDouble ? "LDD=" : "LDW=", operands[1], zero, enable_));
+  return l_.data(widthOf(type) == rest.width ? rest : l_.lowPart(rest, widthOf(type)), type);
 }
 
 bool DrawnFunctions::arithmetic(std::string_view name, DrawnValue& result) {
@@ -250,6 +329,10 @@ bool DrawnFunctions::arithmetic(std::string_view name, DrawnValue& result) {
     l_.sink_.operand(e_, fmt::format("{} is not defined for {}", name, iecTypeName(type)));
     return true;
   }
+  if (name == "MUL" && widthOf(type) != Width::DWord) {
+    if (const auto found = product(type)) result = *found;
+    return true;
+  }
   const Arithmetic kind = arithmeticOf(type);
   Operands operands;
   for (const DrawnValue& value : in_) {
@@ -259,6 +342,12 @@ bool DrawnFunctions::arithmetic(std::string_view name, DrawnValue& result) {
   }
   if (name == "MOD") {
     result = modulo(operands, kind, type);
+    return true;
+  }
+  if (name == "MUL" && kind == Arithmetic::DInt) {
+    Operand so = operands[0];
+    for (std::size_t i = 1; i < operands.size(); ++i) so = longProduct(so, operands[i]);
+    result = l_.data(so, type);
     return true;
   }
   const IecType worked = typeOf(kind);
@@ -271,8 +360,12 @@ bool DrawnFunctions::arithmetic(std::string_view name, DrawnValue& result) {
                                       [&](const Operand& operand) { return overlaps(operand, target_->operand); });
   const Operand place = isNarrower ? l_.temporary(worked) : isInPlace ? target_->operand : resultPlace(type);
   if (!isInPlace) move(operands[0], place, worked, enable_);
-  for (std::size_t i = 1; i < operands.size(); ++i)
-    l_.box(fmt::format("{}{}", found->second, letterOf(kind)), {operands[i], place}, enable_);
+  for (std::size_t i = 1; i < operands.size(); ++i) {
+    if (name == "ADD" || name == "SUB")
+      sum(found->second, kind, operands[i], place, enable_);
+    else
+      l_.box(fmt::format("{}{}", found->second, letterOf(kind)), {operands[i], place}, enable_);
+  }
   result = l_.data(isNarrower ? l_.lowPart(place, widthOf(type)) : place, type);
   return true;
 }

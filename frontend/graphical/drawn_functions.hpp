@@ -31,6 +31,10 @@ class DrawnFunctions {
 
   DrawnValue boolGate(std::string_view name);
   DrawnValue bitwise(std::string_view name);
+  void sum(char sign, Arithmetic kind, const Operand& number, const Operand& place, Wire enable);
+  std::optional<DrawnValue> product(IecType type);
+  Operand longProduct(const Operand& a, const Operand& b);
+  std::optional<Operand> factor(DrawnValue value);
   DrawnValue modulo(const Operands& operands, Arithmetic kind, IecType type);
   DrawnValue converted(const DrawnValue& value, IecType to);
   Wire related(std::string_view relation, const DrawnValue& a, const DrawnValue& b, Wire input);

@@ -13,7 +13,6 @@ DrawnMemory::DrawnMemory(const Program& program) : target_(program.target) {
   const auto note = [&](const Operand& operand) {
     if (operand.kind != OperandKind::Direct) return;
     if (operand.area == Area::T && operand.offset < usedTimers_.size()) usedTimers_[operand.offset] = true;
-    if (operand.area == Area::C && operand.offset < usedCounters_.size()) usedCounters_[operand.offset] = true;
     reserve(operand);
   };
   for (const Pou& pou : program.pous) {
@@ -76,16 +75,6 @@ std::optional<DrawnMemory::TimerChoice> DrawnMemory::timerFor(std::int64_t ms) {
   for (const int resolution : {100, 10, 1}) {
     if (ms < 0 || ms % resolution != 0 || ms / resolution > largestPreset) continue;
     if (const auto number = freeTimer(resolution)) return TimerChoice{*number, resolution};
-  }
-  return std::nullopt;
-}
-
-std::optional<int> DrawnMemory::counter() {
-  for (std::size_t number = 0; number < usedCounters_.size(); ++number) {
-    if (usedCounters_[number] || !addressExists(target_, Area::C, Width::Word, static_cast<std::uint32_t>(number), 0))
-      continue;
-    usedCounters_[number] = true;
-    return static_cast<int>(number);
   }
   return std::nullopt;
 }

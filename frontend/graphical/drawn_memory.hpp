@@ -1,5 +1,5 @@
 // Memory of drawn programs: variables without an address get places in V memory that nobody else uses, standard
-// function blocks get timers and counters, blocks get subroutine numbers, jumps labels. Areas and limits come from
+// function blocks get timers, blocks get subroutine numbers, jumps labels. Areas and limits come from
 // ir/cpu. Tested by tests/graphical/iec_type_test.cpp.
 #pragma once
 
@@ -30,7 +30,6 @@ class DrawnMemory {
   /// that the scarce fast timers are left to those who need them (table 6-74, 001:6597-6603). Nothing if the preset
   /// cannot be expressed or no such timer is left.
   std::optional<TimerChoice> timerFor(std::int64_t ms);
-  std::optional<int> counter();
   std::optional<int> subroutine();
 
  private:
@@ -42,7 +41,6 @@ class DrawnMemory {
   std::uint32_t bitByte_ = 0;
   unsigned nextBit_ = 8;  ///< 8: no byte with free bits
   std::array<bool, 256> usedTimers_{};
-  std::array<bool, 256> usedCounters_{};
   std::vector<bool> usedSubroutines_;
 };
 

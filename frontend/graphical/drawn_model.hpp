@@ -145,6 +145,7 @@ struct DrawnProject {
   std::vector<std::string> globalLists;  ///< names of lists: "GVL" in GVL.Speed
   std::vector<DrawnInstance> instances;
   std::vector<Directive> directives;
+  bool isSimatic = false;  ///< SimaticML
 
   bool isEmpty() const { return blocks.empty() && globals.empty(); }
 };

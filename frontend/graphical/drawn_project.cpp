@@ -465,10 +465,11 @@ void DrawnBuild::addMainOf(const std::vector<DrawnCopy*>& programs, Span span) {
   program_.pous.push_back(std::move(main));
 }
 
-/// Inputs of a program that have no address: whoever runs it writes them, any value in any scan.
+/// Inputs of a program that have no address, and what it shares with whoever runs it: any value in any scan.
 void DrawnBuild::freeInputs(const DrawnCopy& program) {
   for (const DrawnVariable& variable : program.block->variables) {
-    if (variable.section != DrawnSection::Input || variable.isConstant || !variable.address.empty()) continue;
+    const bool isFromOutside = variable.section == DrawnSection::Input || variable.section == DrawnSection::InOut;
+    if (!isFromOutside || variable.isConstant || !variable.address.empty()) continue;
     const auto place = program.places.find(foldedName(variable.name));
     if (place == program.places.end() || place->second.copy != nullptr || place->second.constant) continue;
     Operand first = place->second.operand;

@@ -317,6 +317,7 @@ class SimaticReader {
 }  // namespace
 
 void readSimatic(Program& program, const InputText& input, DrawnProject& project) {
+  project.isSimatic = true;
   SimaticReader(program, input, project).run();
 }
 

@@ -56,6 +56,98 @@ TEST(DrawnFunctions, Arithmetic) {
   EXPECT_EQ(result("UINT", "ADD", {"65000", "600"}), 64);  // modulo 65536
 }
 
+// Two's complement: what does not fit loses its high bits. An S7-200 keeps the old value on overflow (001:4814).
+TEST(DrawnFunctions, ResultsWrap) {
+  EXPECT_EQ(result("INT", "ADD", {"32767", "1"}), -32768);
+  EXPECT_EQ(result("INT", "ADD", {"-32768", "-1", "-1"}), 32766);
+  EXPECT_EQ(result("INT", "ADD", {"30000", "30000", "30000"}), 24464);  // 90000 - 65536
+  EXPECT_EQ(result("INT", "SUB", {"-32768", "1"}), 32767);
+  EXPECT_EQ(result("INT", "SUB", {"0", "-32768"}), -32768);
+  EXPECT_EQ(result("INT", "MUL", {"300", "300"}), 24464);        // 90000 - 65536
+  EXPECT_EQ(result("INT", "MUL", {"300", "300", "2"}), -16608);  // 2 * 24464 - 65536
+  EXPECT_EQ(result("UINT", "MUL", {"65535", "65535"}), 1);       // (-1) * (-1)
+  EXPECT_EQ(result("UINT", "MUL", {"400", "200"}), 14464);       // 80000 - 65536
+  EXPECT_EQ(result("USINT", "MUL", {"255", "255"}), 1);
+  EXPECT_EQ(result("SINT", "MUL", {"-128", "-128"}), 0);  // 16384 is 64 * 256
+  EXPECT_EQ(result("INT", "DIV", {"-32768", "-1"}), -32768);
+  EXPECT_EQ(result("INT", "ABS", {"-32768"}), -32768);
+  EXPECT_EQ(result("INT", "NEG", {"-32768"}), -32768);
+  EXPECT_EQ(result("DINT", "ADD", {"2147483647", "1"}), -2147483648LL);
+  EXPECT_EQ(result("DINT", "SUB", {"-2147483648", "1"}), 2147483647);
+  EXPECT_EQ(result("DINT", "SUB", {"0", "-2147483648"}), -2147483648LL);
+  EXPECT_EQ(result("DINT", "NEG", {"-2147483648"}), -2147483648LL);
+  EXPECT_EQ(result("INT", "MOD", {"-7", "3"}), -1);  // the sign of the dividend
+  EXPECT_EQ(result("INT", "MOD", {"7", "0"}), 0);
+  EXPECT_EQ(result("DINT", "MOD", {"70000", "0"}), 0);
+}
+
+TEST(DrawnFunctions, ShiftsByMoreThanTheWidthLeaveNothing) {
+  for (const int places : {3, 15, 16, 255, 256, 259, 32767}) {
+    const Program program =
+        fbd({"w:WORD=1", fmt::format("n:INT={}", places), "y:WORD"},
+            inElement(1, "w") + inElement(2, "n") + blockElement(3, "SHL", "", {{"IN", {"1"}}, {"N", {"2"}}}, {"OUT"}) +
+                outElement(4, {"3.OUT"}, "y"));
+    EXPECT_EQ(findings(program), "");
+    Simulator simulator(program);
+    simulator.scan();
+    EXPECT_EQ(simulator.read(program.symbolNamed("y")->address), places < 16 ? 1U << places : 0U) << places;
+  }
+}
+
+// Pairs with every sign of the low words, against the product of 64 bits cut to 32.
+TEST(DrawnFunctions, ProductsOfDoubleIntegersWrap) {
+  const std::vector<std::int64_t> numbers = {0,      1,     -1,    7,       -40000,     40000,       65535,
+                                             -65536, 98304, 32768, -100003, 2147483647, -2147483648, 1234567891};
+  for (const std::int64_t a : numbers) {
+    for (const std::int64_t b : numbers) {
+      const auto wrapped = static_cast<std::int32_t>(static_cast<std::uint32_t>(a * b));
+      EXPECT_EQ(result("DINT", "MUL", {fmt::format("{}", a), fmt::format("{}", b)}), wrapped) << a << " * " << b;
+    }
+  }
+  EXPECT_EQ(result("DINT", "MUL", {"70000", "3", "2"}), 420000);
+}
+
+/// CV and Q at the ends of scans whose inputs are bits of I0.0 on, in the order of the pins.
+std::string counted(const std::string& type, const std::vector<std::string>& pins, const std::string& preset,
+                    const std::vector<int>& inputs, const std::string& output) {
+  std::vector<std::string> variables = {"y:BOOL@%QX0.0", "v:INT", "c:" + type};
+  std::vector<TestPin> given;
+  std::string body;
+  for (std::size_t i = 0; i < pins.size(); ++i) {
+    variables.push_back(fmt::format("i{}:BOOL@%IX0.{}", i, i));
+    body += inElement(static_cast<int>(i) + 10, fmt::format("i{}", i));
+    given.push_back({pins[i], {fmt::format("{}", i + 10)}});
+  }
+  body += inElement(2, preset);
+  given.push_back({"PV", {"2"}});
+  body += blockElement(1, type, "c", given, {output, "CV"}) + outElement(3, {"1." + output}, "y") +
+          outElement(4, {"1.CV"}, "v");
+  const Program program = fbd(variables, body);
+  EXPECT_EQ(findings(program), "");
+  Simulator simulator(program);
+  std::string text;
+  for (const int input : inputs) {
+    simulator.write(direct(Area::I, Width::Byte, 0), static_cast<std::uint64_t>(input));
+    simulator.scan();
+    text += fmt::format("{}{} ", simulator.read(program.symbolNamed("v")->address),
+                        simulator.read(direct(Area::Q, Width::Bit, 0, 0)) != 0 ? "+" : "");
+  }
+  return text;
+}
+
+// "+": the output is on. Edges count in the first scan, are used up while the counter is reset, and cancel each other;
+// Q compares in every scan, also with 0 and negative presets and while R or LD is on.
+TEST(DrawnBlocks, CountersAreThoseOfTheStandard) {
+  EXPECT_EQ(counted("CTU", {"CU", "R"}, "2", {1, 0, 1, 0, 1}, "Q"), "1 1 2+ 2+ 3+ ");
+  EXPECT_EQ(counted("CTU", {"CU", "R"}, "2", {0, 3, 1, 0, 1}, "Q"), "0 0 0 0 1 ");
+  EXPECT_EQ(counted("CTU", {"CU", "R"}, "0", {0, 2, 1}, "Q"), "0+ 0+ 1+ ");
+  EXPECT_EQ(counted("CTD", {"CD", "LD"}, "2", {0, 2, 0, 1, 0, 1}, "Q"), "0+ 2 2 1 1 0+ ");
+  EXPECT_EQ(counted("CTD", {"CD", "LD"}, "0", {2, 0, 1}, "Q"), "0+ 0+ 0+ ");
+  EXPECT_EQ(counted("CTUD", {"CU", "CD", "R", "LD"}, "3", {0, 3, 0, 1}, "QU"), "0 0 0 1 ");
+  EXPECT_EQ(counted("CTUD", {"CU", "CD", "R", "LD"}, "3", {1, 8, 12, 2, 0}, "QU"), "1 3+ 0 0 0 ");
+  EXPECT_EQ(counted("CTUD", {"CU", "CD", "R", "LD"}, "3", {1, 2, 0, 8}, "QD"), "1 0+ 0+ 3 ");
+}
+
 TEST(DrawnFunctions, SelectionAndComparison) {
   EXPECT_EQ(result("INT", "MAX", {"3", "9", "5"}), 9);
   EXPECT_EQ(result("INT", "MIN", {"3", "-9", "5"}), -9);
@@ -146,7 +238,10 @@ TEST(InstructionList, LogicParenthesesAndStores) {
   EXPECT_EQ(list("LD a\nANDN b\nSTN y\n"), "LD I0.0; AN I0.1; NOT; = Q0.0");
   EXPECT_EQ(list("LD a\nAND( b\nOR z\n)\nS y\n"), "LD I0.0; LD I0.1; O Q0.1; ALD; S Q0.0,1");
   EXPECT_EQ(list("LD n\nGT 5\nST y\n"), "LDW> MW2,5; = Q0.0");
-  EXPECT_EQ(list("LD n (* one more *)\nADD 1\nST n\n"), "LD SM0.0; +I 1,MW2");
+  // In place, and once more with the sign bit flipped where SM1.1 tells of an overflow.
+  EXPECT_EQ(list("LD n (* one more *)\nADD 1\nST n\n"),
+            "LD SM0.0; +I 1,MW2 | LD SM1.1; = V0.0 | LD V0.0; XORW 16#8000,MW2 | LD V0.0; +I 1,MW2 | "
+            "LD V0.0; XORW 16#8000,MW2");
 }
 
 TEST(InstructionList, CallsJumpsAndMistakes) {

@@ -74,7 +74,8 @@ class Generator {
     e->kind = DrawnExpr::Kind::Box;
     e->type = types[pick(10)];
     e->name = fmt::format("B{}", program_.boxes.size());
-    e->preset = 1 + pick(6);
+    const bool isCount = e->type.starts_with("CT");
+    e->preset = isCount ? pick(6) - 1 : 1 + pick(6);
     const std::size_t inputs = e->type == "CTUD"                                                            ? 4
                                : e->type == "CTU" || e->type == "CTD" || e->type == "SR" || e->type == "RS" ? 2
                                                                                                             : 1;
@@ -335,7 +336,7 @@ bool DrawnEvaluator::box(const DrawnExpr& e) {
   std::vector<bool> in;
   for (const DrawnExprPtr& part : e.inputs) in.push_back(power(*part));
   Box& b = boxes_[e.name];
-  const bool rises = scans_ > 1 && in[0] && !b.before;
+  const bool rises = in[0] && !b.before;  // the memory of an edge starts with 0
   if (e.type == "TON") {
     // The scan in which a timer is enabled brings it nothing: it counts the time of the scan before (001:6590).
     b.current = in[0] && b.before ? std::min(b.current + 1, 32767) : 0;
@@ -356,7 +357,7 @@ bool DrawnEvaluator::box(const DrawnExpr& e) {
   } else if (e.type == "TP") {
     // A pulse that follows at once on the last one keeps the timer running, so that it counts without a pause.
     const bool wasTiming = b.active || b.ended;
-    if (!b.active && in[0] && !b.before) {  // in the first scan too
+    if (!b.active && rises) {
       b.active = true;
       b.current = 0;
     }
@@ -365,18 +366,27 @@ bool DrawnEvaluator::box(const DrawnExpr& e) {
     if (b.ended) b.active = false;
     b.q = b.active;
   } else if (e.type == "CTU") {
-    if (rises) ++b.current;
-    if (in[1]) b.current = 0;
-    b.q = !in[1] && b.current >= e.preset;
+    if (in[1])
+      b.current = 0;
+    else if (rises && b.current < 32767)
+      ++b.current;
+    b.q = b.current >= e.preset;
   } else if (e.type == "CTD") {
-    if (rises && b.current > 0) --b.current;
-    if (in[1]) b.current = e.preset;
-    b.q = !in[1] && b.current == 0;
+    if (in[1])
+      b.current = e.preset;
+    else if (rises && b.current > 0)
+      --b.current;
+    b.q = b.current <= 0;
   } else if (e.type == "CTUD") {
-    const bool falls = scans_ > 1 && in[1] && !b.beforeDown;
-    b.current += (rises ? 1 : 0) - (falls ? 1 : 0);
-    if (in[3]) b.current = e.preset;
-    if (in[2]) b.current = 0;
+    const bool risesDown = in[1] && !b.beforeDown;
+    if (in[2])
+      b.current = 0;
+    else if (in[3])
+      b.current = e.preset;
+    else if (rises && !risesDown)
+      b.current = std::min(b.current + 1, 32767);
+    else if (risesDown && !rises && b.current > 0)
+      --b.current;
     b.beforeDown = in[1];
     b.q = b.current >= e.preset;
   } else if (e.type == "SR") {

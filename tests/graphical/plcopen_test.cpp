@@ -92,6 +92,7 @@ TEST(Plcopen, InputsWithoutAnAddressAreFree) {
   const std::string output = "<localVars>" + declarations({"y:BOOL@%QX0.0"}) + "</localVars>";
   const std::string free = statements("<inputVars>" + declarations({"a:BOOL", "n:INT"}) + "</inputVars>" + output);
   EXPECT_EQ(free, "external V0.0; external VW2; ");
+  EXPECT_EQ(statements("<inOutVars>" + declarations({"a:BOOL"}) + "</inOutVars>" + output), "external V0.0; ");
   EXPECT_EQ(statements("<inputVars>" + declarations({"a:BOOL@%IX0.0"}) + "</inputVars>" + output), "");
 }
 
