@@ -50,7 +50,9 @@ class DrawnBuild {
  private:
   void addGlobals();
   void buildPrograms();
+  void freeVariable(const DrawnVariable& variable, const VariablePlace& place);
   void freeInputs(const DrawnCopy& program);
+  void freeGlobals();
   DrawnCopy* newCopy(const DrawnBlock& block, const std::string& path);
   void declare(DrawnCopy& copy, const DrawnVariable& variable, const std::string& path);
   void declareInstance(VariablePlace& place, const DrawnVariable& variable, const std::string& path);

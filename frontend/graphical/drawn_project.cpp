@@ -8,6 +8,7 @@
 #include "frontend/graphical/drawn_build.hpp"
 #include "frontend/graphical/drawn_lowering.hpp"
 #include "frontend/stl/stl_lexer.hpp"
+#include "ir/overlap.hpp"
 #include "ir/s7200/isa.hpp"
 #include "ir/s7200/special_memory.hpp"
 
@@ -465,22 +466,50 @@ void DrawnBuild::addMainOf(const std::vector<DrawnCopy*>& programs, Span span) {
   program_.pous.push_back(std::move(main));
 }
 
-/// Inputs of a program that have no address, and what it shares with whoever runs it: any value in any scan.
+/// Whoever runs the program writes the variable: any value in any scan.
+void DrawnBuild::freeVariable(const DrawnVariable& variable, const VariablePlace& place) {
+  if (variable.isConstant || !variable.address.empty() || place.copy != nullptr || place.constant) return;
+  Operand first = place.operand;
+  first.text = "";
+  std::string text = "external " + toString(first);
+  if (variable.type == IecType::String) {
+    Operand last = first;
+    last.offset += 80;
+    text += ".." + toString(last);
+  }
+  program_.directives.push_back({std::move(text), variable.span});
+}
+
+/// Inputs of a program that have no address, and what it shares with whoever runs it.
 void DrawnBuild::freeInputs(const DrawnCopy& program) {
   for (const DrawnVariable& variable : program.block->variables) {
-    const bool isFromOutside = variable.section == DrawnSection::Input || variable.section == DrawnSection::InOut;
-    if (!isFromOutside || variable.isConstant || !variable.address.empty()) continue;
+    if (variable.section != DrawnSection::Input && variable.section != DrawnSection::InOut) continue;
     const auto place = program.places.find(foldedName(variable.name));
-    if (place == program.places.end() || place->second.copy != nullptr || place->second.constant) continue;
-    Operand first = place->second.operand;
-    first.text = "";
-    std::string text = "external " + toString(first);
-    if (variable.type == IecType::String) {
-      Operand last = first;
-      last.offset += 80;
-      text += ".." + toString(last);
+    if (place != program.places.end()) freeVariable(variable, place->second);
+  }
+}
+
+/// Global variables that no instruction writes and that nothing gives a value at the start: a panel or another
+/// configuration writes them, or nobody needs them.
+void DrawnBuild::freeGlobals() {
+  const auto isWritten = [&](const Operand& place) {
+    for (const Pou& pou : program_.pous) {
+      for (const Network& network : pou.networks) {
+        for (const Instruction& instruction : network.instructions) {
+          for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
+            const bool isRead =
+                i < instruction.desc->operandCount && instruction.desc->operands[i].direction == Direction::In;
+            if (!isRead && overlaps(instruction.operands[i], place)) return true;
+          }
+        }
+      }
     }
-    program_.directives.push_back({std::move(text), variable.span});
+    return false;
+  };
+  for (const DrawnVariable& variable : project_.globals) {
+    const auto place = globals_.find(foldedName(variable.name));
+    if (place == globals_.end() || !variable.initial.empty() || isWritten(place->second.operand)) continue;
+    freeVariable(variable, place->second);
   }
 }
 
@@ -530,6 +559,7 @@ void DrawnBuild::buildPrograms() {
       main->networks.insert(main->networks.begin(), std::move(network));
     }
   }
+  if (!project_.isSimatic) freeGlobals();
   for (Directive& directive : project_.directives) program_.directives.push_back(std::move(directive));
 }
 

@@ -79,6 +79,20 @@ TEST(Plcopen, EdgeContactIsTheEdgeOfItsVariable) {
 
 // A program input without an address is written by whoever runs the program: any value in any scan. With inputs at an
 // address nothing needs to be said.
+// "written" is written by the program, "set" begins with a value: only the first global is left to others.
+TEST(Plcopen, GlobalsThatNobodyWritesAreFree) {
+  const std::vector<std::string> globals = {"free:BOOL", "written:BOOL", "set:INT=5", "at:BOOL@%QX0.0"};
+  std::string text =
+      plcopen({}, "LD", railElement(1) + contactElement(2, {"1"}, "free") + coilElement(3, {"2"}, "written"));
+  text.insert(text.find("</project>"),
+              "<instances><configurations><configuration name=\"c\"><resource name=\"r\"><globalVars>" +
+                  declarations(globals) + "</globalVars></resource></configuration></configurations></instances>");
+  const Program program = readText("t.xml", text);
+  EXPECT_EQ(findings(program), "");
+  ASSERT_EQ(program.directives.size(), 1U);
+  EXPECT_EQ(program.directives[0].text, "external " + toString(program.symbolNamed("free")->address));
+}
+
 TEST(Plcopen, InputsWithoutAnAddressAreFree) {
   const auto statements = [](const std::string& variables) {
     const Program program = readText(
