@@ -210,20 +210,43 @@ bool DrawnFunctions::logic(std::string_view name, DrawnValue& result) {
 
 // Arithmetic
 
-/// Adds to a place or takes from it, modulo 2^16 or 2^32 as IEC 61131-3 programs do. +I, -I, +D and -D leave the place
-/// on overflow (001:4814). The sign bit is then flipped, which is half of the range, and flipped back behind the sum.
+/// Adds to a place or takes from it, modulo 2^16 or 2^32 as IEC 61131-3 programs do; +I and +D leave the place on
+/// overflow (001:4814). A word is added as a double word, of which the low half goes back; a double word in halves.
 void DrawnFunctions::sum(char sign, Arithmetic kind, const Operand& number, const Operand& place, Wire enable) {
-  const std::string operation = fmt::format("{}{}", sign, letterOf(kind));
-  l_.box(operation, {number, place}, enable);
-  if (kind == Arithmetic::Real) return;
-  const Operand hasOverflow = l_.temporary(IecType::Bool);
-  l_.assign(hasOverflow, l_.gate(Shape::And, {enable, l_.contact(direct(Area::SM, Width::Bit, 1, 1), l_.rail())}));
-  const bool isDouble = kind == Arithmetic::DInt;
-  const Operand half = constant(isDouble ? 0x80000000 : 0x8000, ConstantForm::Hex);
-  const auto again = [&] { return l_.contact(hasOverflow, l_.rail()); };
-  l_.box(isDouble ? "XORD" : "XORW", {half, place}, again());
-  l_.box(operation, {number, place}, again());
-  l_.box(isDouble ? "XORD" : "XORW", {half, place}, again());
+  if (kind == Arithmetic::Real) return void(l_.box(fmt::format("{}R", sign), {number, place}, enable));
+  const Operand wide = l_.temporary(IecType::Dint);
+  const std::string operation = fmt::format("{}D", sign);
+  const auto low = [&](const Operand& of) { return l_.lowPart(of, Width::Word); };
+  if (kind == Arithmetic::Int) {
+    Operand other = number;
+    if (number.kind != OperandKind::Constant) {
+      other = l_.temporary(IecType::Dint);
+      l_.box("ITD", {number, other}, enable);
+    }
+    l_.box("ITD", {place, wide}, enable);
+    l_.box(operation, {other, wide}, enable);
+    return move(low(wide), place, IecType::Int, enable);
+  }
+  const Operand other = longCopy(number, enable), part = l_.temporary(IecType::Dint);
+  for (const auto& [from, to] : {std::pair{place, wide}, {other, part}}) {
+    move(constant(0), to, IecType::Dint, enable);
+    move(low(from), low(to), IecType::Int, enable);
+  }
+  l_.box(operation, {part, wide}, enable);
+  sum(sign, Arithmetic::Int, highPart(other), highPart(place), enable);
+  sum('+', Arithmetic::Int, highPart(wide), highPart(place), enable);  // what is carried: 0, 1 or -1
+  move(low(wide), low(place), IecType::Int, enable);
+}
+
+Operand DrawnFunctions::highPart(Operand place) {
+  place.width = Width::Word;
+  return place;
+}
+
+Operand DrawnFunctions::longCopy(const Operand& from, Wire enable) {
+  const Operand place = l_.temporary(IecType::Dint);
+  move(from, place, IecType::Dint, enable);
+  return place;
 }
 
 /// Products of at most 16 bits: MUL has 32 bits for each, of which the low ones go on.
@@ -241,18 +264,9 @@ std::optional<DrawnValue> DrawnFunctions::product(IecType type) {
 }
 
 /// A product modulo 2^32, of words: *D forms none that needs more bits. With a = 2^16 A + a' and b = 2^16 B + b' it is
-/// a' b' + 2^16 (A b' + a' B). MUL takes a' and b' as signed, so where one is negative the other is missing in the high
-/// word.
+/// a' b' + 2^16 (A b' + a' B). MUL takes a' and b' as signed, so b' is missing in the high word where a' has its sign
+/// bit, and a' where b' has.
 Operand DrawnFunctions::longProduct(const Operand& a, const Operand& b) {
-  const auto copy = [&](const Operand& from) {
-    const Operand place = l_.temporary(IecType::Dint);
-    move(from, place, IecType::Dint, enable_);
-    return place;
-  };
-  const auto high = [](Operand place) {
-    place.width = Width::Word;
-    return place;
-  };
   const auto low = [&](const Operand& place) { return l_.lowPart(place, Width::Word); };
   const auto times = [&](const Operand& one, const Operand& other) {
     const Operand wide = l_.temporary(IecType::Dint);
@@ -260,12 +274,17 @@ Operand DrawnFunctions::longProduct(const Operand& a, const Operand& b) {
     l_.box("MUL", {other, wide}, enable_);
     return wide;
   };
-  const Operand left = copy(a), right = copy(b);
+  const auto signBit = [&](const Operand& of) {
+    const Operand place = l_.temporary(IecType::Int);
+    move(of, place, IecType::Int, enable_);
+    l_.box("SRW", {place, constant(15)}, enable_);
+    return place;
+  };
+  const Operand left = longCopy(a, enable_), right = longCopy(b, enable_);
   const Operand result = times(low(left), low(right));
-  sum('+', Arithmetic::Int, low(times(high(left), low(right))), high(result), enable_);
-  sum('+', Arithmetic::Int, low(times(low(left), high(right))), high(result), enable_);
-  sum('+', Arithmetic::Int, low(right), high(result), l_.compare("LDW<", low(left), constant(0), enable_));
-  sum('+', Arithmetic::Int, low(left), high(result), l_.compare("LDW<", low(right), constant(0), enable_));
+  for (const Operand& part : {times(highPart(left), low(right)), times(low(left), highPart(right)),
+                              times(signBit(low(left)), low(right)), times(signBit(low(right)), low(left))})
+    sum('+', Arithmetic::Int, low(part), highPart(result), enable_);
   return result;
 }
 

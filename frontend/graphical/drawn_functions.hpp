@@ -33,6 +33,9 @@ class DrawnFunctions {
   DrawnValue bitwise(std::string_view name);
   void sum(char sign, Arithmetic kind, const Operand& number, const Operand& place, Wire enable);
   std::optional<DrawnValue> product(IecType type);
+  /// The high word of a double word.
+  static Operand highPart(Operand place);
+  Operand longCopy(const Operand& from, Wire enable);
   Operand longProduct(const Operand& a, const Operand& b);
   std::optional<Operand> factor(DrawnValue value);
   DrawnValue modulo(const Operands& operands, Arithmetic kind, IecType type);

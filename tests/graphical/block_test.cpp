@@ -238,10 +238,9 @@ TEST(InstructionList, LogicParenthesesAndStores) {
   EXPECT_EQ(list("LD a\nANDN b\nSTN y\n"), "LD I0.0; AN I0.1; NOT; = Q0.0");
   EXPECT_EQ(list("LD a\nAND( b\nOR z\n)\nS y\n"), "LD I0.0; LD I0.1; O Q0.1; ALD; S Q0.0,1");
   EXPECT_EQ(list("LD n\nGT 5\nST y\n"), "LDW> MW2,5; = Q0.0");
-  // In place, and once more with the sign bit flipped where SM1.1 tells of an overflow.
+  // As a double word, of which the low word goes back: 32767 + 1 is -32768. Each box begins a rung.
   EXPECT_EQ(list("LD n (* one more *)\nADD 1\nST n\n"),
-            "LD SM0.0; +I 1,MW2 | LD SM1.1; = V0.0 | LD V0.0; XORW 16#8000,MW2 | LD V0.0; +I 1,MW2 | "
-            "LD V0.0; XORW 16#8000,MW2");
+            "LD SM0.0; ITD MW2,VD0; LD SM0.0; +D 1,VD0; LD SM0.0; MOVW VW2,MW2");
 }
 
 TEST(InstructionList, CallsJumpsAndMistakes) {
