@@ -28,6 +28,7 @@ BlockCatalogue::BlockCatalogue(const std::vector<SourceSyntax>& sources, const s
                                Reports& reports) {
   addSymbols(symbols, reports);
   addNumbered(sources, reports);
+  noteWritten(sources);
   addNamed(sources, reports);
   std::ranges::stable_sort(entries_, {}, [](const CatalogueEntry& entry) { return entry.syntax->heading.file; });
   for (std::size_t i = 0; i < entries_.size(); ++i) byKey_[entries_[i].key] = i;
@@ -59,6 +60,30 @@ void BlockCatalogue::add(BlockKey key, const BlockSyntax& block, Reports& report
   reports.relate(entries_[place->second].syntax->heading, "the first one");
 }
 
+void BlockCatalogue::noteWritten(const Operand& operand) {
+  for (const Operand* at = &operand; at != nullptr; at = at->pointer.get()) {
+    if (at->constant.block != 0) written_.insert({BlockKind::Db, at->constant.block});  // P#DB10.DBX 0.0
+    if (at->block && at->block->kind)
+      written_.insert({*at->block->kind == BlockKind::Di ? BlockKind::Db : *at->block->kind, at->block->number});
+  }
+}
+
+/// Calls, opened blocks, addresses of data and instances.
+void BlockCatalogue::noteWritten(const std::vector<SourceSyntax>& sources) {
+  for (const SourceSyntax& source : sources) {
+    for (const BlockSyntax& block : source.blocks) {
+      for (const NetworkSyntax& network : block.networks) {
+        for (const Statement& statement : network.statements) {
+          noteWritten(statement.operand);
+          noteWritten(statement.instance);
+          for (const Argument& argument : statement.arguments) noteWritten(argument.actual);
+        }
+      }
+    }
+  }
+  for (const auto& [name, row] : symbols_) noteWritten(row->address);
+}
+
 void BlockCatalogue::addNumbered(const std::vector<SourceSyntax>& sources, Reports& reports) {
   for (const SourceSyntax& source : sources) {
     for (const BlockSyntax& block : source.blocks) {
@@ -83,6 +108,21 @@ std::optional<BlockKey> BlockCatalogue::organizationBlockNamed(std::string_view 
   return row == usual.end() ? std::nullopt : std::optional(BlockKey{BlockKind::Ob, row->second});
 }
 
+/// Whether neither a block nor the text has the number.
+bool BlockCatalogue::isFree(BlockKey key) const {
+  return !byKey_.contains(key) && !names_.contains(key) && !written_.contains(key);
+}
+
+void BlockCatalogue::noteInvention(const BlockSyntax& block) {
+  const auto [first, isNew] = withoutNumber_.emplace(block.kind, block.name.symbol);
+  if (!isNew) first->second = std::min(first->second, block.name.symbol);
+}
+
+const std::string* BlockCatalogue::withoutNumber(BlockKind kind) const {
+  const auto found = withoutNumber_.find(kind == BlockKind::Di ? BlockKind::Db : kind);
+  return found == withoutNumber_.end() ? nullptr : &found->second;
+}
+
 /// Functions, function blocks and types without a number get one from the upper end, where no library and hardly an
 /// address reaches, in the order of their names, so that the order of files changes nothing. Data blocks get the lowest
 /// free number in the order of the files: their addresses name them in reports.
@@ -98,7 +138,7 @@ void BlockCatalogue::addNamed(const std::vector<SourceSyntax>& sources, Reports&
   for (auto& [block, number] : fromTheEnd) {
     do {
       number = 0xFFFF - next[block.first]++;
-    } while (byKey_.contains({block.first, number}) || names_.contains({block.first, number}));
+    } while (!isFree({block.first, number}));
   }
   for (const SourceSyntax& source : sources) {
     for (const BlockSyntax& block : source.blocks) {
@@ -118,10 +158,14 @@ void BlockCatalogue::addNamed(const std::vector<SourceSyntax>& sources, Reports&
                         block.name.symbol));
         continue;
       }
-      if (!key && block.kind != BlockKind::Db) key = BlockKey{block.kind, fromTheEnd.at({block.kind, folded})};
+      if (!key && block.kind != BlockKind::Db) {
+        key = BlockKey{block.kind, fromTheEnd.at({block.kind, folded})};
+        noteInvention(block);
+      }
       while (!key) {
         const BlockKey candidate{block.kind, ++next[block.kind]};
-        if (!byKey_.contains(candidate) && !names_.contains(candidate)) key = candidate;
+        if (isFree(candidate)) key = candidate;
+        if (key) noteInvention(block);
       }
       names_.emplace(*key, block.name.symbol);
       byName_.emplace(folded, *key);

@@ -5,6 +5,7 @@
 #include <compare>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,11 +44,18 @@ class BlockCatalogue {
   const SymbolRow* symbol(std::string_view name) const;
   /// The symbol of a block, or "FC5".
   std::string nameOf(BlockKey key) const;
+  /// The name of a block of that kind whose number is an invention, or nullptr. Nobody knows which number such a block
+  /// has in the CPU, so one that is computed may be its number.
+  const std::string* withoutNumber(BlockKind kind) const;
 
  private:
   void addSymbols(const std::vector<SymbolRow>& symbols, Reports& reports);
+  void noteWritten(const std::vector<SourceSyntax>& sources);
+  void noteWritten(const Operand& operand);
   void addNumbered(const std::vector<SourceSyntax>& sources, Reports& reports);
   void addNamed(const std::vector<SourceSyntax>& sources, Reports& reports);
+  bool isFree(BlockKey key) const;
+  void noteInvention(const BlockSyntax& block);
   void add(BlockKey key, const BlockSyntax& block, Reports& reports);
   std::optional<BlockKey> organizationBlockNamed(std::string_view name) const;
 
@@ -56,6 +64,8 @@ class BlockCatalogue {
   std::map<std::string, const SymbolRow*> symbols_;  ///< by folded name
   std::map<std::string, BlockKey> byName_;           ///< blocks declared by name, by folded name
   std::map<BlockKey, std::string> names_;
+  std::set<BlockKey> written_;                      ///< numbers that the text says: no invention has one of these
+  std::map<BlockKind, std::string> withoutNumber_;  ///< first in the order of the names
 };
 
 }  // namespace rungproof::step7

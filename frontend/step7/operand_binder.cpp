@@ -363,6 +363,12 @@ BoundOperand OperandBinder::indirect(const Operand& operand, BlockScope& scope) 
   }
   BoundOperand pointer = bind(*operand.pointer, scope);
   if (!pointer.fault.empty()) return pointer;
+  if (const std::string* name =
+          operand.block && operand.block->kind ? catalogue_.withoutNumber(*operand.block->kind) : nullptr)
+    return refused(
+        Syntax::BlockMissing, operand.span,
+        fmt::format("this number may be that of \"{}\", and no file says which number that block has", *name),
+        "add the symbol table, or write the number in the head of the block");
   const bool isNumber = operand.block || operand.place == Place::T || operand.place == Place::C;
   const Width wanted = isNumber ? Width::Word : Width::DWord;
   if (!pointer.operand.isMemory() || pointer.operand.width != wanted ||

@@ -186,17 +186,17 @@ TEST(Bind, ActualParameters) {
       text.find(call), call.size(),
       "CALL FC 1 (v := W#16#7, t := T 4, p := P#DB5.DBX 0.0 BYTE 4, s := \"Set\".s, RET_VAL := MW 0, q := M 4.0);\n"
       "CALL FC 1 (v := MW 2, t := T 4, p := MW 6, s := \"Set\".s, RET_VAL := DB5.DBW 0, q := DB5.DBX 0.1);");
-  const std::size_t number = text.find("DATA_BLOCK DB 5");
-  text.replace(number, 15, "DATA_BLOCK \"Set\"");
-  // No table gives "Set" a number: it gets the first free one.
-  for (std::size_t at = text.find("DB5"); at != std::string::npos; at = text.find("DB5", at))
-    text.replace(at, 3, "DB1");
+  // A copy without a number: no table gives "Set" one, so it gets the first that neither a block nor the text has.
+  const std::size_t from = text.find("DATA_BLOCK DB 5"), end = text.find("END_DATA_BLOCK", from) + 15;
+  std::string copy = text.substr(from, end - from);
+  copy.replace(0, 15, "DATA_BLOCK \"Set\"");
+  text.insert(end, copy);
   const Program program = read7(text);
   EXPECT_EQ(findings7(program), "");
   ASSERT_NE(program.main(), nullptr);
   const std::string fc1 = "CALL FC1=" + std::to_string(blockNumber(BlockType::Fc, 1));
-  EXPECT_EQ(show7(*program.main()), fc1 + " W#16#7=7 T4 &'P#DB1.DBX 0.0 BYTE 4':2x4 DBB1:0 MW0 M4.0; " + fc1 +
-                                        " MW2 T4 &MW6:4x1 DBB1:0 DBW1:0 DB1:0.1");
+  EXPECT_EQ(show7(*program.main()), fc1 + " W#16#7=7 T4 &'P#DB5.DBX 0.0 BYTE 4':2x4 DBB1:0 MW0 M4.0; " + fc1 +
+                                        " MW2 T4 &MW6:4x1 DBB1:0 DBW5:0 DB5:0.1");
 }
 
 TEST(Bind, AttributesOfACallSayNothingAboutItsParameters) {

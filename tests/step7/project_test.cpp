@@ -218,6 +218,36 @@ TEST(Projects, NumbersOfBlocksWithoutOneAreOutOfReach) {
     EXPECT_EQ(readText("x.awl", functions + main).subroutine(blockNumber(BlockType::Fc, number)), nullptr) << number;
 }
 
+// The siblings: whatever number a text says, and however high it is, no block without a number has it. A number that is
+// computed may be that of any block, so its network is not covered; with a symbol table or a written number it is.
+TEST(Projects, NoNumberOfTheTextMeansABlockWithoutOne) {
+  const std::string blocks =
+      "DATA_BLOCK \"Limits\"\nSTRUCT\na : INT := 7;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n"
+      "FUNCTION \"Motor\" : VOID\nBEGIN\nNETWORK\nSET;\n= Q 0.0;\nEND_FUNCTION\n"
+      "FUNCTION_BLOCK \"Drive\"\nBEGIN\nNETWORK\nSET;\n= Q 0.1;\nEND_FUNCTION_BLOCK\n";
+  const auto rulesOf = [&](const std::string& statements, const std::string& more = "") {
+    const std::string main = "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n" + statements + "\nEND_ORGANIZATION_BLOCK\n";
+    std::string rules, other;
+    for (const Finding& finding : readText("x.awl", blocks + more + main).findings) rules += finding.rule + " ";
+    for (const Finding& finding : readText("x.awl", main + more + blocks).findings) other += finding.rule + " ";
+    EXPECT_EQ(rules, other) << "the order of the blocks changes nothing: " << statements;
+    return rules;
+  };
+  for (const std::string number : {"1", "2", "65534", "65535"}) {
+    EXPECT_EQ(rulesOf("UC FC " + number + ";"), "SYN049 ") << number;
+    EXPECT_EQ(rulesOf("UC FB " + number + ";").substr(0, 7), "SYN049 ") << number;
+  }
+  for (const std::string number : {"1", "2", "8191"}) {
+    EXPECT_EQ(rulesOf("L DB" + number + ".DBW 0;\nT MW 0;"), "SYN049 ") << number;
+    EXPECT_NE(rulesOf("OPN DB " + number + ";\nL DBW 0;\nT MW 0;").find("SYN049"), std::string::npos) << number;
+  }
+  EXPECT_EQ(rulesOf("OPN DB [MW 10];\nL DBW 0;\nT MW 0;"), "SYN049 ");
+  EXPECT_EQ(rulesOf("OPN DI [MW 10];\nL DIW 0;\nT MW 0;"), "SYN049 ");
+  EXPECT_EQ(rulesOf("UC FC [MW 10];"), "SYN049 ");
+  EXPECT_EQ(rulesOf("OPN \"Limits\";\nL DBW 0;\nT MW 0;"), "");
+  EXPECT_EQ(rulesOf("CALL \"Motor\";"), "");
+}
+
 // The order of the files decides no number: each name has the same one in both orders.
 TEST(Projects, TheOrderOfFilesChangesNoNumber) {
   const test::TemporaryFolder folder;
