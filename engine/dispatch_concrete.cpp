@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "ir/iec/isa_list.hpp"
 #include "ir/s7300/isa_list.hpp"
 #include "ir/s7300/system_block.hpp"
 
@@ -65,13 +66,20 @@ std::span<const Execute<Concrete>> step7DispatchTable<Concrete>() {
 }
 
 template <>
+std::span<const Execute<Concrete>> iecDispatchTable<Concrete>() {
+  static constexpr auto table = isa::iec::makeDispatch<Concrete>(isa::iec::AllInstructions{});
+  return table;
+}
+
+template <>
 void runSystemBlock<Concrete>(Machine<Concrete>& machine, const std::function<void()>& between) {
   runSystemBlockOn(machine, between);
 }
 
-Execute<Concrete> executionOf(const Instruction& instruction) {
+Execute<Concrete> executionOf(const Instruction& instruction, bool isIec) {
   static constexpr auto forms = makeAreaForms(isa::AllInstructions{});
   if (instruction.desc->control != Control::None) return nullptr;
+  if (isIec) return iecDispatchTable<Concrete>()[instruction.desc->opcode];
   if (instruction.desc->execution == Execution::Always) return step7DispatchTable<Concrete>()[instruction.desc->opcode];
   const AreaForms& atAreas = forms[instruction.desc->opcode];
   if (instruction.operands.size() == 1 && instruction.operands[0].kind == OperandKind::Direct) {

@@ -17,6 +17,8 @@ constexpr std::uint32_t unlistedTime = 100;  // instructions whose time the text
 /// 0.1 us for any statement of an S7-300/400, of which the course documents give no times: that of bit logic on a
 /// CPU 315 (general knowledge). Loops end by it, and nothing else depends on it.
 constexpr std::uint32_t step7Time = 10;
+/// IEC 61131-3 states no times: as little as can be counted, so that only endless loops last.
+constexpr std::uint32_t iecTime = 1;
 /// No scan lasts longer, however often WDR or SFC 43 restarts the watchdog: 5 s on an S7-200 SMART. The manuals of the
 /// others state no limit; those of the S7-200 say that timers count wrong from 25 s on (001:5708), so a run ends there.
 constexpr std::uint64_t longestScanOfSmart = 5000;  // ms
@@ -25,19 +27,19 @@ constexpr std::uint64_t longestScan = 25000;        // ms
 }  // namespace
 
 void Simulator::prepareCosts() {
-  const std::uint32_t usual = plan_.isStep7() ? step7Time : unlistedTime;
+  const std::uint32_t usual = plan_.isStep7() ? step7Time : plan_.isIec() ? iecTime : unlistedTime;
   costs_.assign(plan_.program->instructionCount(), Cost{{usual, usual}, nullptr});
   for (const Flow& flow : plan_.flows) {
     for (const FlowStep& step : flow.steps) {
       const Desc& desc = *step.instruction->desc;
-      costs_[step.id()].run = executionOf(*step.instruction);
-      if (plan_.isStep7()) continue;
+      costs_[step.id()].run = executionOf(*step.instruction, plan_.isIec());
+      if (plan_.isStep7() || plan_.isIec()) continue;
       std::uint32_t time = desc.time == 0 ? unlistedTime : desc.time;
       for (const Operand& operand : step.instruction->operands) {
         if (operand.kind == OperandKind::Indirect) time += pointerTime;
       }
       costs_[step.id()] = {{desc.execution == Execution::Conditional ? idleTime : time, time},
-                           executionOf(*step.instruction)};
+                           executionOf(*step.instruction, false)};
     }
   }
 }
@@ -140,7 +142,7 @@ void Simulator::checkWatchdog() {
   const int event = eventOfBlock(80);
   const bool isCalled = plan_.isStep7() && store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event)) != 0;
   if (script_ != nullptr || !isCalled || std::exchange(hasTimeError_, true))
-    return machine_.hazard(watchdogHazard(plan_.isStep7()), true);
+    return machine_.hazard(watchdogHazard(plan_.isStep7(), plan_.isIec()), true);
   watchdogFrom_ = position_;
   raise(event);
 }

@@ -76,7 +76,7 @@ void loadDataBlock(const Program& program, Concrete::Store& store) {
 }  // namespace
 
 std::vector<RetentiveRange> defaultRetentiveRanges(const Target& target) {
-  if (isSmart(target)) return {};  // nothing, unless the system block says otherwise
+  if (isSmart(target) || isIec(target)) return {};  // nothing, unless the system block says otherwise
   if (isStep7(target)) return {{Area::M, 0, 15}, {Area::C, 0, 7}};
   return {{Area::V, 0, 0xFFFFFFFF}, {Area::M, 14, 31}, {Area::T, 0, 31}, {Area::T, 64, 95}, {Area::C, 0, 255}};
 }
@@ -85,6 +85,10 @@ std::vector<RetentiveRange> retentiveRanges(const Program& program,
                                             const std::optional<std::vector<RetentiveRange>>& given) {
   std::vector<RetentiveRange> ranges = given.value_or(defaultRetentiveRanges(program.target));
   if (program.coldStart) return {};
+  if (isIec(program.target)) {
+    for (const auto& [first, last] : program.retained) ranges.push_back({Area::V, first, last});
+    return ranges;
+  }
   if (isStep7(program.target)) {
     const auto isOfBlock = [](const RetentiveRange& range) { return range.area == Area::DB; };
     if (std::ranges::any_of(ranges, isOfBlock)) return ranges;
@@ -128,7 +132,7 @@ Concrete::Store powerUpState(const Plan& plan, const Choices& choices, bool data
   setSm(store, 0, 2, dataLost);
   setSm(store, 0, 3, true);
   attachBlocks(plan, store);
-  if (plan.isStep7()) return store;
+  if (plan.isStep7() || plan.isIec()) return store;
   store.area(Area::SM)[6] = cpuRow(plan.program->target.cpu).identifier.value_or(0x20);  // 224XP: that of the 224
   return store;
 }

@@ -114,24 +114,43 @@ int Trace::indexOf(const TraceSignal& signal) const {
   return named >= 0 || signal.symbol.empty() ? named : signalNamed(signal.symbol);
 }
 
-TraceSignal signalOf(const Program& program, const Operand& operand) {
+namespace {
+
+TraceSignal signalOf(const Program& program, const Operand& operand, const Symbol* symbol) {
   TraceSignal signal;
   signal.operand = operand;
   const bool byNumber = hasBitAndWord(operand.area);
-  const Symbol* symbol = program.symbolOf(operand);
   if (symbol != nullptr) signal.symbol = symbol->name;
-  signal.name = toString(operand);
+  signal.name = symbol != nullptr && isIec(program.target) ? symbol->name : toString(operand);
   if (byNumber && operand.width != Width::Bit) signal.name += ".value";
   if (operand.width == Width::Bit) signal.type = SignalType::Bool;
   if (operand.width == Width::Byte) signal.type = SignalType::Unsigned;
   if (operand.width == Width::Word || operand.width == Width::DWord) signal.type = SignalType::Signed;
   if (operand.width == Width::DWord && isUsedAsReal(program, operand)) signal.type = SignalType::Real;
+  if (const auto meant = program.valueTypes.find(operand.offset);
+      meant != program.valueTypes.end() && operand.width != Width::Bit)
+    signal.type = meant->second == ValueType::Real     ? SignalType::Real
+                  : meant->second == ValueType::Signed ? SignalType::Signed
+                                                       : SignalType::Unsigned;
   return signal;
+}
+
+}  // namespace
+
+TraceSignal signalOf(const Program& program, const Operand& operand) {
+  return signalOf(program, operand, program.symbolOf(operand));
 }
 
 std::vector<TraceSignal> touchedSignals(const Program& program) {
   Operands operands;
   std::set<Cell> seen;
+  if (isIec(program.target)) {  // the variables in the order of their declaration, by their first names
+    std::vector<TraceSignal> variables;
+    for (const Symbol& symbol : program.symbols) {
+      if (seen.insert(cellOf(symbol.address)).second) variables.push_back(signalOf(program, symbol.address, &symbol));
+    }
+    return variables;
+  }
   const auto add = [&](const Operand& operand) {
     if (seen.insert(cellOf(operand)).second) operands.push_back(operand);
   };

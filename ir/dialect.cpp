@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ir/check.hpp"
+#include "ir/iec/dialect.hpp"
 #include "ir/s7200/dialect.hpp"
 #include "ir/s7300/dialect.hpp"
 
@@ -11,7 +12,7 @@ namespace rungproof {
 
 namespace {
 
-constinit const Dialect* const all[] = {&s7200Dialect, &s7300Dialect, &s7400Dialect};
+constinit const Dialect* const all[] = {&s7200Dialect, &s7300Dialect, &s7400Dialect, &iecDialect};
 
 /// The first row of some dialect's list that `isWanted`, or nullptr.
 template <class Row, class Wanted>

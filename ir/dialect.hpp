@@ -16,8 +16,9 @@ namespace rungproof {
 /// A set of dialects, one bit each.
 using Dialects = std::uint8_t;
 namespace dialect {
-inline constexpr Dialects S7200 = 1, S7300 = 2, Every = 3;  ///< S7300: the S7-400 too
-}
+inline constexpr Dialects S7200 = 1, S7300 = 2, Iec = 4;  ///< S7300: the S7-400 too
+inline constexpr Dialects Every = S7200 | S7300;          ///< whose programs are lists of statements
+}  // namespace dialect
 
 struct CpuModel {
   Cpu cpu;

@@ -60,7 +60,10 @@ enum class Hazard : std::uint8_t {
   S7CycleTime,
   S7Stop,
   S7ErrorTwice,
-  S7NotLoaded
+  S7NotLoaded,
+  IecDivideByZero,
+  IecArrayRange,
+  IecEndless
 };
 
 /// How the CPU takes it: a status bit only, a logged non-fatal error with SM4.3, or STOP.
@@ -156,10 +159,16 @@ inline constexpr std::array hazardTable = {
                "synchronous error in the block that takes such errors", "002:1278"},
     HazardInfo{Hazard::S7NotLoaded, "STOP", HazardClass::Fatal, "an event comes whose organization block is missing",
                "002:1278"},
+    // IEC 61131-3: what the standard calls errors, by the reading that the scan ends with them.
+    HazardInfo{Hazard::IecDivideByZero, "ERROR", HazardClass::Fatal, "division by zero", "IEC 61131-3"},
+    HazardInfo{Hazard::IecArrayRange, "ERROR", HazardClass::Fatal, "index outside its array", "IEC 61131-3"},
+    HazardInfo{Hazard::IecEndless, "ERROR", HazardClass::Fatal, "the scan does not end", "IEC 61131-3"},
 };
 
 /// A scan that lasts too long, by the family of the program.
-constexpr Hazard watchdogHazard(bool isStep7) { return isStep7 ? Hazard::S7CycleTime : Hazard::FatalWatchdog; }
+constexpr Hazard watchdogHazard(bool isStep7, bool isIec) {
+  return isStep7 ? Hazard::S7CycleTime : isIec ? Hazard::IecEndless : Hazard::FatalWatchdog;
+}
 
 constexpr const HazardInfo& hazardInfo(Hazard hazard) { return hazardTable[static_cast<std::size_t>(hazard)]; }
 
@@ -168,7 +177,7 @@ constexpr bool hazardTableIsInOrder() {
   for (std::size_t i = 0; i < hazardTable.size(); ++i) {
     if (static_cast<std::size_t>(hazardTable[i].hazard) != i) return false;
   }
-  return hazardTable.size() == static_cast<std::size_t>(Hazard::S7NotLoaded) + 1;
+  return hazardTable.size() == static_cast<std::size_t>(Hazard::IecEndless) + 1;
 }
 static_assert(hazardTableIsInOrder(), "hazardTable must list the hazards in the order of the enumeration");
 }  // namespace detail

@@ -114,7 +114,10 @@ std::string step7Text(const Operand& operand) {
 std::string toString(const Operand& operand) {
   if (operand.reach != nullptr) return step7Text(operand);
   switch (operand.kind) {
-    case OperandKind::Direct: return addressName(operand.area, operand.width, operand.offset, operand.bit);
+    case OperandKind::Direct:
+      // A variable of IEC 61131-3 has a name and a form; an address of another family has the usual form.
+      if (operand.form != ConstantForm::Decimal && !std::string_view(operand.text).empty()) return operand.text;
+      return addressName(operand.area, operand.width, operand.offset, operand.bit);
     case OperandKind::Indirect: return "*" + addressName(operand.area, Width::DWord, operand.offset);
     case OperandKind::Address: return "&" + addressName(operand.area, Width::Byte, operand.offset);
     case OperandKind::Constant: return constantText(operand);

@@ -62,6 +62,8 @@ struct Operand {
   OperandKind kind = OperandKind::Missing;
   Area area = Area::V;       ///< Direct, Address: the area; Indirect: the area that holds the pointer
   Width width = Width::Bit;  ///< width as written (VW -> Word); T and C: Bit, the instruction decides; AC: DWord
+  /// Direct, of a variable of IEC 61131-3 that a name gives: Hex: an unsigned number, SignedDecimal: a signed one,
+  /// Real.
   ConstantForm form = ConstantForm::Decimal;
   std::uint32_t offset = 0;  ///< byte number, or the number of a timer, counter, accumulator, HC
   std::int64_t value = 0;    ///< Constant: value (REAL: IEEE single bits)

@@ -23,6 +23,9 @@ namespace s7300 {
 struct Declarations;  // names of data, ir/s7300/declarations.hpp
 }
 
+/// How a value of an IEC 61131-3 program is meant.
+enum class ValueType : std::uint8_t { Signed, Unsigned, Real };
+
 enum class PouKind : std::uint8_t { Main, Subroutine, Interrupt };
 enum class VarSection : std::uint8_t { Input, InOut, Output, Temp, Static };
 /// What a block of an S7-300/400 is; all blocks of an S7-200 are None.
@@ -87,6 +90,7 @@ struct Pou {
   bool protectedBlock = false;  ///< password-protected: no instruction is visible
   BlockType type = BlockType::None;
   bool isBuiltIn = false;           ///< S7-300/400: its meaning is that of ir/s7300/system_block.hpp, not its text
+  bool isInstance = false;          ///< IEC 61131-3: the body of one instance of a block
   std::uint32_t localBytes = 0;     ///< S7-300/400: L memory, with that of the LAD/FBD compiler; even
   std::uint32_t pointerBytes = 0;   ///< S7-300/400: the last of them, for pointers that calls hand over
   bool takesPointers = false;       ///< S7-300/400: whether a parameter is handed over by a pointer
@@ -145,11 +149,14 @@ struct Program {
   std::vector<LibraryMemory> libraryMemory;
   /// S7-300/400: ms from one start of OB30 and those that follow to the next.
   std::array<std::uint16_t, cyclicBlockCount> cyclicPeriods = usualPeriods;
-  std::optional<std::uint32_t> clockMemory;  ///< S7-300/400: byte of M (ir/s7300/clock_memory.hpp)
-  bool coldStart = false;                    ///< S7-300/400: runs begin with OB102 and nothing retained (002:1383)
-  std::uint16_t cycleMonitoringMs = 150;     ///< S7-300/400: a scan that lasts longer is a time error (002:1296)
-  std::vector<Finding> findings;             ///< of the readers
-  bool olderDialect = false;                 ///< one-text dialect of the S7-212/214 time (MEND, SBR n)
+  std::optional<std::uint32_t> clockMemory;       ///< S7-300/400: byte of M (ir/s7300/clock_memory.hpp)
+  bool coldStart = false;                         ///< S7-300/400: runs begin with OB102 and nothing retained (002:1383)
+  std::uint16_t cycleMonitoringMs = 150;          ///< S7-300/400: a scan that lasts longer is a time error (002:1296)
+  std::map<std::uint32_t, ValueType> valueTypes;  ///< IEC 61131-3: of the variables, by their first byte in V
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> retained;  ///< IEC 61131-3: first and last byte of RETAIN data
+  std::optional<std::uint32_t> taskMs;            ///< IEC 61131-3: interval of the task
+  std::vector<Finding> findings;                  ///< of the readers
+  bool olderDialect = false;                      ///< one-text dialect of the S7-212/214 time (MEND, SBR n)
 
   /// Numbers all instructions in program order; call after the last block was added.
   void number();

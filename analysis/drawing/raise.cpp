@@ -415,6 +415,7 @@ std::string nameInReason(const Instruction& instruction) {
 }
 
 Raised raise(const Network& network, Form form, const Target& target) {
+  if (isIec(target)) return {std::nullopt, "statements of IEC 61131-3 are not drawn", nullptr};
   return isStep7(target) ? raiseStep7(network, form) : Raising(network, form, target).run();
 }
 

@@ -1,5 +1,6 @@
 // The one place where all instruction meanings are compiled for graph nodes.
 #include "analysis/encoding/symbolic_store.hpp"
+#include "ir/iec/isa_list.hpp"
 #include "ir/s7200/dispatch.hpp"
 #include "ir/s7300/isa_list.hpp"
 #include "ir/s7300/system_block.hpp"
@@ -15,6 +16,12 @@ std::span<const Execute<Graph>> dispatchTable<Graph>() {
 template <>
 std::span<const Execute<Graph>> step7DispatchTable<Graph>() {
   static constexpr auto table = isa::step7::makeDispatch<Graph>(isa::step7::AllInstructions{});
+  return table;
+}
+
+template <>
+std::span<const Execute<Graph>> iecDispatchTable<Graph>() {
+  static constexpr auto table = isa::iec::makeDispatch<Graph>(isa::iec::AllInstructions{});
   return table;
 }
 

@@ -135,7 +135,9 @@ class Monitor {
     const int raw = n.type == ExprType::Truth ? 1 : numberBits(n.operand);
     const Bits value = leaf_(n.operand, raw);
     if (n.type != ExprType::Number) return value;
-    return raw == 8 ? d.zext(value, 8, n.width) : n.width == raw ? value : d.sext(value, raw, n.width);
+    if (n.width == raw) return value;
+    const bool isUnsigned = raw == 8 || n.operand.form == ConstantForm::Hex;
+    return isUnsigned ? d.zext(value, raw, n.width) : d.sext(value, raw, n.width);
   }
   Bits number(Bits value, const ExprNode& n, int to) { return n.width == to ? value : d.sext(value, n.width, to); }
   Bits real(std::size_t i, const Expr& expr, const ExprNode& n, const std::vector<Bits>& value) {

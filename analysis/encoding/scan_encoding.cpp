@@ -37,7 +37,7 @@ bool mayReach(const Instruction* instruction, std::initializer_list<Area> areas)
 
 /// Timers of an S7-300/400 count in ms.
 TimeRange timeOf(const Plan& plan, TimeRange range) {
-  range.hasBases = range.hasBases || !plan.isStep7();
+  range.hasBases = range.hasBases || !(plan.isStep7() || plan.isIec());
   return range;
 }
 
@@ -101,7 +101,7 @@ void ScanEncoding::run() {
   store_.value(registerPlace(Reg::Running, 0));  // a cell, even if every scan ends the program without reading it
   devices_.begin(machine_);
   beginStatus(machine_);
-  if (!plan_.isStep7()) {
+  if (!plan_.isStep7() && !plan_.isIec()) {
     machine_.ticks100 = {time.ticks100()};
     refreshTimers(machine_, 10, {time.ticks10()});
   }

@@ -134,13 +134,17 @@ std::optional<std::string> missingBlocksText(const Program& program) {
 std::vector<std::string> environmentTexts(const Program& program, const PropertySet& set, const TimeRange& time,
                                           const Choices& choices) {
   std::vector<std::string> texts;
-  texts.push_back(
-      isSmart(program.target)
-          ? fmt::format("CPU {}, {}", cpuName(program.target.cpu), editionName(program.target.edition))
-          : fmt::format("CPU {}, {} edition", cpuName(program.target.cpu), editionName(program.target.edition)));
+  const bool isOfVariables = isIec(program.target);
+  if (isOfVariables) texts.emplace_back("program of IEC 61131-3");
+  if (!isOfVariables)
+    texts.push_back(
+        isSmart(program.target)
+            ? fmt::format("CPU {}, {}", cpuName(program.target.cpu), editionName(program.target.edition))
+            : fmt::format("CPU {}, {} edition", cpuName(program.target.cpu), editionName(program.target.edition)));
   texts.push_back(time.low == time.high ? fmt::format("every scan lasts {} ms", time.low)
                                         : fmt::format("every scan lasts {} to {} ms", time.low, time.high));
   texts.push_back(set.initialRetentive ? "retentive memory starts with any value, the rest with zero"
+                  : isOfVariables      ? "every variable starts with its initial value"
                                        : "memory starts with zero and the data block");
   const bool hasColdStart =
       std::ranges::any_of(program.pous, [](const Pou& pou) { return pou.number == blockNumber(BlockType::Ob, 102); });
@@ -152,9 +156,14 @@ std::vector<std::string> environmentTexts(const Program& program, const Property
   if (isStep7(program.target)) {
     if (std::optional<std::string> text = missingBlocksText(program)) texts.push_back(*std::move(text));
   }
-  for (const ExternalRange& range : set.externals)
-    texts.push_back(
-        fmt::format("{} to {} may be written from outside in any scan", toString(range.first), toString(range.last)));
+  const auto named = [&](const Operand& operand) {
+    return isOfVariables && !std::string_view(operand.text).empty() ? std::string(operand.text) : toString(operand);
+  };
+  for (const ExternalRange& range : set.externals) {
+    const std::string first = named(range.first), last = named(range.last);
+    texts.push_back(first == last ? fmt::format("{} has any value in every scan", first)
+                                  : fmt::format("{} to {} may be written from outside in any scan", first, last));
+  }
   if (asksDevices(program))
     texts.push_back("what ports, pulse outputs and other devices write for a request, they write between two scans");
   texts.emplace_back(set.externals.empty()

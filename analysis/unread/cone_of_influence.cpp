@@ -122,8 +122,8 @@ class Cone {
 }  // namespace
 
 std::vector<bool> outsideCone(const Facts& facts, std::span<const PlaceRow> places) {
-  // Registers of an S7-300/400 are handed on over networks.
-  if (isStep7(facts.target())) return {};
+  // Registers of an S7-300/400 are handed on over networks, and jumps of IEC 61131-3 lead over them.
+  if (isStep7(facts.target()) || isIec(facts.target())) return {};
   Cone cone(facts);
   for (const PlaceRow& row : places) cone.add(row);
   return cone.spread() ? cone.outside() : std::vector<bool>{};

@@ -41,7 +41,7 @@ auto* bytesOf(Store& store, Area area, bool hasTerminals) {
 
 std::unique_ptr<CompiledProgram> CompiledProgram::of(const Plan& plan, const Concrete::Store& model,
                                                      const InstructionTimes& times, bool countsTime) {
-  const bool hasProgram = plan.isStep7() || plan.main() != nullptr;
+  const bool hasProgram = !plan.isIec() && (plan.isStep7() || plan.main() != nullptr);
   if (!hasProgram || !canTranslate()) return nullptr;
   Code code = recorded(plan, model, times, countsTime);
   const std::vector<bool> isNeeded = neededSteps(code, model.registers().size());

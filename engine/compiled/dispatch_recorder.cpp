@@ -1,5 +1,6 @@
 // The one place where all instruction meanings are compiled for recorded code.
 #include "engine/compiled/recorder.hpp"
+#include "ir/iec/isa_list.hpp"
 #include "ir/s7200/dispatch.hpp"
 #include "ir/s7300/isa_list.hpp"
 #include "ir/s7300/system_block.hpp"
@@ -15,6 +16,12 @@ std::span<const Execute<compiled::Recorder>> dispatchTable<compiled::Recorder>()
 template <>
 std::span<const Execute<compiled::Recorder>> step7DispatchTable<compiled::Recorder>() {
   static constexpr auto table = isa::step7::makeDispatch<compiled::Recorder>(isa::step7::AllInstructions{});
+  return table;
+}
+
+template <>
+std::span<const Execute<compiled::Recorder>> iecDispatchTable<compiled::Recorder>() {
+  static constexpr auto table = isa::iec::makeDispatch<compiled::Recorder>(isa::iec::AllInstructions{});
   return table;
 }
 

@@ -63,6 +63,11 @@ enum class Syntax : std::uint8_t {
   NotModelled,
   LibraryBlock,
   SymbolColumns,
+  IecText,
+  IecType,
+  IecName,
+  IecNotModelled,
+  IecNoProgram,
   count
 };
 
@@ -174,6 +179,16 @@ inline constexpr std::array<SyntaxMessage, static_cast<std::size_t>(Syntax::coun
     {Syntax::SymbolColumns, "SYN053", "Row of a symbol table with fixed columns is out of line", Severity::Error,
      "an .asc row has 126, and then 24 columns for the name, 12 for the address, 10 for the type, 80 for the comment; "
      "export the table again"},
+    {Syntax::IecText, "SYN056", "Text of IEC 61131-3 cannot be read", Severity::Error,
+     "see the place; reading went on behind the statement or declaration"},
+    {Syntax::IecType, "SYN057", "Types or values of IEC 61131-3 do not fit", Severity::Error,
+     "write a conversion such as INT_TO_REAL, or correct the declaration"},
+    {Syntax::IecName, "SYN058", "Name of IEC 61131-3 is not known", Severity::Error,
+     "declare it, correct its spelling, or add the file that has it"},
+    {Syntax::IecNotModelled, "SYN059", "Not modelled in IEC 61131-3 programs", Severity::Error,
+     "properties that depend on it get the verdict NOT COVERED"},
+    {Syntax::IecNoProgram, "SYN060", "No program to run", Severity::Error,
+     "add the PROGRAM, or give one function block alone"},
 }};
 
 constexpr const SyntaxMessage& syntaxMessage(Syntax code) { return syntaxMessages[static_cast<std::size_t>(code)]; }

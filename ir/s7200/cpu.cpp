@@ -33,7 +33,7 @@ struct LimitIndex {
 };
 
 const cpu_tables::LimitRow* limitRow(const Target& target, Area area, Width width) {
-  if (isStep7(target)) return nullptr;
+  if (isStep7(target) || isIec(target)) return nullptr;
   static const LimitIndex index;
   // A CPU that the chosen edition does not describe keeps the limits of the one that does.
   const bool isOld = (cpuBit(target.cpu) & cpu_tables::oldCpus) != 0;
@@ -46,8 +46,9 @@ const cpu_tables::LimitRow* limitRow(const Target& target, Area area, Width widt
 }  // namespace
 
 std::optional<AddressLimit> addressLimit(const Target& target, Area area, Width width) {
-  if (isStep7(target)) {
-    const std::uint32_t size = step7AreaSize(step7Row(target.cpu), area);
+  if (isStep7(target) || isIec(target)) {
+    const std::uint32_t size =
+        isIec(target) ? iecAreaSize(iecRow(target.cpu), area) : step7AreaSize(step7Row(target.cpu), area);
     const auto length = static_cast<std::uint32_t>(hasBitAndWord(area) ? 1 : bytes(width));
     if (size < length) return std::nullopt;
     return AddressLimit{size - length, {}, {}};
@@ -58,7 +59,7 @@ std::optional<AddressLimit> addressLimit(const Target& target, Area area, Width 
 }
 
 bool addressExists(const Target& target, Area area, Width width, std::uint32_t offset, unsigned bit) {
-  if (isStep7(target)) {
+  if (isStep7(target) || isIec(target)) {
     const std::optional<AddressLimit> limit = addressLimit(target, area, width);
     return area == Area::DB || (limit && offset <= limit->lastByte && (width != Width::Bit || bit <= 7));
   }

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "ir/area.hpp"
+#include "ir/iec/cpu.hpp"
 #include "ir/s7300/cpu.hpp"
 #include "ir/target.hpp"
 
@@ -18,8 +19,8 @@ namespace rungproof {
 
 /// Editions of the S7-200 system manual, and of the S7-200 SMART's firmware: up to V2.7, and from V2.8 on.
 /// The S7-300/400 has one: STEP 7 V5.4 (002).
-enum class Edition : std::uint8_t { Edition2003, Edition2004, Smart27, Smart28, Step7 };
-inline constexpr int editionCount = 5;
+enum class Edition : std::uint8_t { Edition2003, Edition2004, Smart27, Smart28, Step7, Iec };
+inline constexpr int editionCount = 6;
 /// Families of CPUs with one instruction set and one map of special memory each.
 enum class Series : std::uint8_t { S7200, Smart };
 
@@ -166,7 +167,7 @@ consteval Cpu s7200Cpu(std::string_view name) {
 
 /// A CPU of another family has the row of one that has nothing of an S7-200's.
 constexpr const CpuRow& cpuRow(Cpu cpu) {
-  return isStep7(cpu) ? cpu_rows::none : cpu_rows::rows[static_cast<std::size_t>(cpu)];
+  return isStep7(cpu) || isIec(cpu) ? cpu_rows::none : cpu_rows::rows[static_cast<std::size_t>(cpu)];
 }
 constexpr bool isSmart(Cpu cpu) { return cpuRow(cpu).series == Series::Smart; }
 constexpr bool isSmart(const Target& target) { return isSmart(target.cpu); }

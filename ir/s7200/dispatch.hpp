@@ -19,6 +19,10 @@ std::span<const Execute<D>> dispatchTable();
 template <class D>
 std::span<const Execute<D>> step7DispatchTable();
 
+/// The same for the instructions of the IEC 61131-3 machine.
+template <class D>
+std::span<const Execute<D>> iecDispatchTable();
+
 /// Runs the block of the CPU or of a library that the machine has entered (ir/s7300/system_block.hpp).
 template <class D>
 void runSystemBlock(Machine<D>& machine, const std::function<void()>& between);

@@ -135,9 +135,10 @@ class Machine : public GuardedRun<D> {
 
   Step7Registers<D> step7;  ///< of an S7-300/400, which has no logic stack
 
-  Bool scrActive;       ///< true outside segments; inside: the SCR stack
-  LogicStack<D> stack;  ///< [0] is the top (001:2753)
-  unsigned frame = 0;   ///< local memory in use (ir/s7200/frame.hpp)
+  Bool scrActive;                ///< true outside segments; inside: the SCR stack
+  LogicStack<D> stack;           ///< [0] is the top (001:2753)
+  std::vector<Bits> evaluation;  ///< IEC 61131-3: values of the statement that runs (ir/iec/isa/iec_group.hpp)
+  unsigned frame = 0;            ///< local memory in use (ir/s7200/frame.hpp)
   bool inInterrupt = false;
   bool isStartUp = false;  ///< S7-300/400: the start-up block runs, which sees cleared inputs
   Bits ticks100;           ///< 100 ms ticks between the starts of the previous and of this scan, width 16 (001:6611)
@@ -213,13 +214,15 @@ class Machine : public GuardedRun<D> {
   void save(Area area, std::uint32_t offset, Width width, Bits value, std::uint32_t bit = 0);
 
   /// Whether that is the reading of an open point that is in force.
-  Bool reads(NamedReading reading) {
-    const auto bit = [&](std::uint8_t value) { return getBit(Reg::Reading, readingIndex(reading.choice, value)); };
-    const bool hasThird = !choiceInfo(reading.choice).values[2].empty();
-    if (reading.value == 1) return bit(1);
+  Bool reads(NamedReading reading) { return readsValue(reading.choice, reading.value); }
+  /// The same by the number of the value in its row.
+  Bool readsValue(Choice choice, std::uint8_t value) {
+    const auto bit = [&](std::uint8_t which) { return getBit(Reg::Reading, readingIndex(choice, which)); };
+    const bool hasThird = !choiceInfo(choice).values[2].empty();
+    if (value == 1) return bit(1);
     const Bool notSecond = d.lnot(bit(1));
     if (!hasThird) return notSecond;
-    return d.land(notSecond, reading.value == 2 ? bit(2) : d.lnot(bit(2)));
+    return d.land(notSecond, value == 2 ? bit(2) : d.lnot(bit(2)));
   }
 
   // ---- Errors --------------------------------------------------------------------------------------

@@ -42,7 +42,7 @@ Plan::Plan(const Program& source, const std::vector<bool>& isLeftOut)
       for (const Instruction& instruction : network.instructions) number(instruction);
     }
     flows.push_back(flowOf(pou, isLeftOut));
-    if (isStep7_) continue;
+    if (isStep7_ || isIec()) continue;
     for (const FlowStep& step : flows.back().steps) {
       const Instruction& instruction = *step.instruction;
       const bool isTimer = instruction.desc->operandCount > 0 && instruction.desc->operands[0].type == Type::Timer;
@@ -55,7 +55,7 @@ Plan::Plan(const Program& source, const std::vector<bool>& isLeftOut)
       if (!isKnown) timers.push_back(use);
     }
   }
-  for (std::uint32_t timer = 0; timer < attachedTimers && !isStep7_; ++timer) timedEvents.push_back(timer);
+  for (std::uint32_t timer = 0; timer < attachedTimers && !isStep7_ && !isIec(); ++timer) timedEvents.push_back(timer);
   if (isStep7_) planStep7();
 }
 

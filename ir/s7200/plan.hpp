@@ -9,6 +9,7 @@
 
 #include "ir/block_map.hpp"
 #include "ir/flow.hpp"
+#include "ir/iec/cpu.hpp"
 #include "ir/s7200/register.hpp"
 
 namespace rungproof {
@@ -56,6 +57,7 @@ struct Plan {
   /// S7-300/400: the block of that number (ir/s7300/block.hpp), or nullptr.
   const Flow* block(int number) const;
   bool isStep7() const { return isStep7_; }
+  bool isIec() const { return rungproof::isIec(program->target); }
 
  private:
   bool isStep7_;

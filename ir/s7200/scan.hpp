@@ -28,13 +28,16 @@ class Scan : private FlowWalk<Scan<D, Hooks>, Machine<D>, Hooks> {
 
   Scan(Machine<D>& machine, Hooks& hooks, int loopLimit = 256, std::size_t stepLimit = ~std::size_t{0})
       : Base(machine, hooks, loopLimit, stepLimit),
-        dispatch_(machine.plan.isStep7() ? step7DispatchTable<D>() : dispatchTable<D>()) {}
+        dispatch_(machine.plan.isStep7() ? step7DispatchTable<D>()
+                  : machine.plan.isIec() ? iecDispatchTable<D>()
+                                         : dispatchTable<D>()) {}
 
   Machine<D>& machine() { return m_; }
 
   /// Runs the main program once. The stack at its start is not stated (Choice::MainStack).
   void program() {
     if (m_.plan.isStep7()) return step7Program();
+    if (m_.plan.isIec()) return iecProgram();
     const Flow* main = m_.plan.main();
     if (main == nullptr) return;
     m_.frame = 0;
@@ -105,6 +108,8 @@ class Scan : private FlowWalk<Scan<D, Hooks>, Machine<D>, Hooks> {
     const FlowStep& step = w.flow.steps[at];
     if (m_.plan.isStep7() && step.instruction->desc->control != Control::None) {
       step7Control(w, at);
+    } else if (m_.plan.isIec() && step.instruction->desc->control != Control::None) {
+      iecControl(w, at);
     } else if constexpr (requires { hooks_.entry(step); }) {
       if (const Execute<D> run = hooks_.entry(step); run != nullptr) {
         run(m_, *step.instruction);
@@ -125,6 +130,9 @@ class Scan : private FlowWalk<Scan<D, Hooks>, Machine<D>, Hooks> {
   void forLoop(Walk& w, std::uint32_t at);
   void nextRound(Walk& w, std::uint32_t at);
   void stop(Walk& w);
+  // ir/iec/control.hpp
+  void iecProgram();
+  void iecControl(Walk& w, std::uint32_t at);
   // ir/s7300/control.hpp
   void step7Program();
   void organizationBlock(int number, Bool condition);
@@ -312,4 +320,5 @@ void Scan<D, Hooks>::copyOut(const Instruction& instruction, const Pou& callee, 
 
 }  // namespace rungproof
 
-#include "ir/s7300/control.hpp"  // the members for the S7-300/400
+#include "ir/iec/control.hpp"    // the members for IEC 61131-3
+#include "ir/s7300/control.hpp"  // and for the S7-300/400

@@ -143,7 +143,7 @@ void refreshSpecialMemory(Machine<D>& m, typename D::Bits elapsed) {
   m.save(Area::SM, 22, Width::Word, elapsed);
   m.save(Area::SM, 24, Width::Word, m.d.select(m.d.lor(first, m.d.ult(elapsed, shortest, 16)), elapsed, shortest, 16));
   m.save(Area::SM, 26, Width::Word, m.d.select(m.d.lor(first, m.d.ult(longest, elapsed, 16)), elapsed, longest, 16));
-  if (m.plan.isStep7()) m.set(Reg::LastScan, 0, elapsed);
+  if (m.plan.isStep7() || m.plan.isIec()) m.set(Reg::LastScan, 0, elapsed);
   m.setBit(Reg::FirstScan, 0, m.d.constant(false));
 }
 
@@ -151,6 +151,7 @@ void refreshSpecialMemory(Machine<D>& m, typename D::Bits elapsed) {
 /// In STOP the output table applies, of which all values are 0 (001:1749-1753).
 template <class D>
 void writeOutputs(Machine<D>& m) {
+  if (m.terminals() == 0) return;  // IEC 61131-3: variables only
   const auto running = m.getBit(Reg::Running);
   const auto write = [&](std::uint32_t bit, typename D::Bool value) {
     const auto image = m.d.land(running, value);

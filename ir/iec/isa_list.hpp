@@ -1,0 +1,25 @@
+// All instructions of the IEC 61131-3 machine: the groups of ir/iec/isa joined. Only ir/iec/isa.cpp and the one source
+// per domain that instantiates the dispatch table include it.
+#pragma once
+
+#include "ir/iec/isa/access.hpp"
+#include "ir/iec/isa/arithmetic.hpp"
+#include "ir/iec/isa/control.hpp"
+#include "ir/iec/isa/convert.hpp"
+#include "ir/iec/isa/logic.hpp"
+#include "ir/iec/isa/real.hpp"
+#include "ir/s7200/isa_list.hpp"
+
+namespace rungproof::isa::iec {
+
+using AllInstructions = Join<AccessGroup, LogicGroup, ArithmeticGroup, RealGroup, ConvertGroup, ControlGroup>::type;
+
+/// Every descriptor, opcode = index.
+inline constexpr auto instructionTable = makeTable(AllInstructions{});
+
+template <class D, class... Ops>
+constexpr std::array<Execute<D>, sizeof...(Ops)> makeDispatch(Group<Ops...>) {
+  return {&executeIec<Ops, D>...};
+}
+
+}  // namespace rungproof::isa::iec
