@@ -56,7 +56,7 @@ Checked checked(const Context& context, const CheckArguments& arguments) {
   Checked result;
   result.program = readInput(context, arguments.files).program;
   // The rule of one rung a network is an editor's of the S7-200 SMART.
-  const bool isOtherEditor = isStep7(result.program.target);
+  const bool isOtherEditor = isStep7(result.program.target) || isIec(result.program.target);
   result.isGuessed = arguments.language.empty() && !isOtherEditor;
   result.isStl = isOtherEditor || (result.isGuessed ? isWrittenAsStl(result.program) : arguments.language == "stl");
   const UnreadCode unread(result.program);

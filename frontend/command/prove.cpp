@@ -226,7 +226,9 @@ void proveInto(Report& part, const Context& context, const Settings& settings, c
     if (result.builtin) builtin.push_back(&result);
   }
   for (Finding& finding : findingsOf(builtin, Shown::Run)) part.findings.push_back(std::move(finding));
-  if (arguments.selfCheck && unread.empty() && properties.unread.empty()) {
+  if (arguments.selfCheck && isIec(program.target)) {
+    context.err << "rungproof: no faults are planted in programs of IEC 61131-3\n";
+  } else if (arguments.selfCheck && unread.empty() && properties.unread.empty()) {
     part.selfCheck = plantFaults(context, program, properties, options, proof);
   } else if (arguments.selfCheck) {
     context.err << "rungproof: no faults are planted: not all of the program and its properties could be read\n";

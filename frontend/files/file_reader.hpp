@@ -14,6 +14,9 @@ struct DrawnProject;
 namespace step7 {
 struct Step7Project;
 }
+namespace iec {
+struct ProjectSyntax;
+}
 
 /// How sure a reader is that a text is of its kind: the surest reader reads it, at 0 nobody does.
 namespace sureness {
@@ -31,6 +34,7 @@ struct InputText {
   bool isSymbolFile = false;             ///< named by --symbols
   DrawnProject* drawn = nullptr;         ///< readers of drawings append here; built when all files are read
   step7::Step7Project* step7 = nullptr;  ///< readers of S7-300/400 sources append here, likewise
+  iec::ProjectSyntax* iec = nullptr;     ///< readers of IEC 61131-3 texts append here, likewise
   bool isStep7Project = false;           ///< the project has such sources
 };
 

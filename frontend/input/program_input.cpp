@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
+#include <unordered_map>
 
 #include "analysis/drawing/editor_verdict.hpp"
 #include "analysis/rule.hpp"
 #include "frontend/files/file_reader.hpp"
+#include "frontend/iec/iec_syntax.hpp"
 #include "frontend/input/tag_list.hpp"
 #include "frontend/property/external_range.hpp"
 #include "frontend/step7/name_lookup.hpp"
@@ -64,6 +67,7 @@ void guessFamily(const Context& context, const Settings& settings, Program& prog
 /// Without --cpu, a program with instructions that only the S7-200 SMART has is taken for its largest CPU. A CPU of
 /// another family than the program's is none for it.
 void guessCpu(const Context& context, const Settings& settings, Program& program) {
+  if (isIec(program.target)) return;
   if (settings.isSet(Opt::Cpu)) {
     const Cpu named = settings.target().cpu;
     if (isStep7(named) != isStep7(program.target) && !settings.flag(Opt::Quiet))
@@ -89,7 +93,24 @@ void guessCpu(const Context& context, const Settings& settings, Program& program
 
 }  // namespace
 
+namespace {
+
+/// Variables of IEC 61131-3 by their names, in any case of letters.
+OperandLookup lookupOfVariables(const Program& program) {
+  auto names = std::make_shared<std::unordered_map<std::string, Operand>>();
+  for (const Symbol& symbol : program.symbols) {
+    names->emplace(iec::foldedName(symbol.name), symbol.address);
+  }
+  return [names](std::string_view text) -> std::optional<Operand> {
+    const auto found = names->find(iec::foldedName(text));
+    return found == names->end() ? std::nullopt : std::optional(found->second);
+  };
+}
+
+}  // namespace
+
 OperandLookup lookupIn(const Program& program) {
+  if (isIec(program.target)) return lookupOfVariables(program);
   return [&program](std::string_view text) -> std::optional<Operand> {
     if (program.declarations != nullptr) return step7::placeNamed(program, text);
     Operand operand;

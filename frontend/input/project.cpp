@@ -11,6 +11,7 @@
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/file_reader.hpp"
 #include "frontend/graphical/drawn_build.hpp"
+#include "frontend/iec/iec_lowering.hpp"
 #include "frontend/input/foreign_family.hpp"
 #include "frontend/step7/step7_likeness.hpp"
 #include "frontend/step7/step7_project.hpp"
@@ -19,6 +20,7 @@
 #include "frontend/stl/stl_lexer.hpp"
 #include "frontend/stl/stl_likeness.hpp"
 #include "frontend/stl/syntax_sink.hpp"
+#include "ir/s7200/cpu.hpp"
 
 namespace rungproof {
 
@@ -103,7 +105,7 @@ class ProjectReader {
                               decoded.badBytes == 1 ? " is" : "s are", encodingName(decoded.encoding)));
     }
     const std::size_t before = program_.pous.size();
-    read({file, decoded.encoding, isSymbolFile, &drawn_, &step7_});
+    read({file, decoded.encoding, isSymbolFile, &drawn_, &step7_, &iec_});
     const bool isBlock = program_.pous.size() == before + 1 && program_.pous[before].kind == PouKind::Main;
     if (isBlock && !program_.olderDialect && !stlLikeness(program_.sources->file(file).text()).hasHeading)
       headless_.push_back({before, program_.sources->file(file).name()});
@@ -116,9 +118,13 @@ class ProjectReader {
     nameFromFiles(program_, headless_);
     if (isStep7 && !program_.pous.empty()) reportOtherFamily();
     if (isStep7) step7::buildStep7Project(program_, step7_, options_);
-    if (!isStep7 && rungproof::isStep7(program_.target)) program_.target = dialects().front()->usual;
+    const bool isIecProject = !iec_.isEmpty();
+    if (isIecProject && (isStep7 || !program_.pous.empty())) reportBesideIec();
+    if (!isStep7 && (rungproof::isStep7(program_.target) || rungproof::isIec(program_.target)))
+      program_.target = dialects().front()->usual;
+    if (isIecProject) iec::buildIecProgram(program_, iec_);
     mainFirst();
-    if (!isStep7) {
+    if (!isStep7 && !isIecProject) {
       reportTwins();
       resolveNames(program_);
     }
@@ -217,6 +223,14 @@ class ProjectReader {
                             program_.sources->file(file).name()));
   }
 
+  void reportBesideIec() {
+    const std::uint32_t file = iec_.blocks.empty() ? 0 : iec_.blocks.front().span.file;
+    SyntaxSink(program_, file)
+        .report(Syntax::FamilyUndecided, {file, 0, 0},
+                fmt::format("{} is a program of IEC 61131-3, other files are for another family",
+                            program_.sources->file(file).name()));
+  }
+
   /// Moves the main program to the front; directives follow their blocks.
   void mainFirst() {
     const auto main = std::find_if(program_.pous.begin(), program_.pous.end(),
@@ -258,6 +272,7 @@ class ProjectReader {
   Program program_;
   DrawnProject drawn_;
   step7::Step7Project step7_;
+  iec::ProjectSyntax iec_;
   std::vector<InputText> waiting_;  ///< tables and drawings
   std::vector<HeadlessBlock> headless_;
 };

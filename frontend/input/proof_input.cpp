@@ -10,8 +10,12 @@ namespace rungproof {
 
 namespace {
 
+/// IEC 61131-3 knows no watchdog. Where no task has an interval a scan may last as long as this.
+constexpr std::uint32_t longestIecScanMs = 500;
+
 /// ms after which a scan is a fatal error. With OB80 the first excess of an S7-300/400 is none (002:1314).
 std::uint32_t longestScanMs(const Program& program, const Choices& choices) {
+  if (isIec(program.target)) return program.taskMs.value_or(longestIecScanMs);
   if (!isStep7(program.target)) return static_cast<std::uint32_t>(choices.watchdogMs());
   const bool hasTimeErrorBlock =
       std::ranges::any_of(program.pous, [](const Pou& pou) { return pou.number == blockNumber(BlockType::Ob, 80); });
@@ -27,6 +31,11 @@ ProverOptions proverOptionsOf(const Settings& settings, std::initializer_list<co
   options.time.high = 0;
   for (const Program* program : programs)
     options.time.high = std::max(options.time.high, longestScanMs(*program, options.choices));
+  const bool haveInterval = std::ranges::all_of(programs, [](const Program* p) { return p->taskMs.has_value(); });
+  if (haveInterval && programs.size() > 0) {
+    options.time.low = options.time.high;
+    for (const Program* program : programs) options.time.low = std::min(options.time.low, *program->taskMs);
+  }
   if (const auto range = settings.scanTime()) {
     options.time.low = static_cast<std::uint32_t>(std::max<std::int64_t>(range->low.count() / 1000, 1));
     options.time.high =

@@ -110,6 +110,27 @@ std::vector<std::string> statementLines(const Program& program, const Network& n
   return lines;
 }
 
+/// The text of a statement of IEC 61131-3, as far to the left as it can stand.
+std::vector<std::string> sourceLines(const Program& program, const Network& network) {
+  std::vector<std::string> lines;
+  std::string_view text = program.sources->text(network.span);
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string line(text.substr(0, end));
+    while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
+    lines.push_back(std::move(line));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  std::size_t indent = std::string::npos;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const std::size_t first = lines[i].find_first_not_of(" \t");
+    if (first != std::string::npos) indent = std::min(indent, first);
+  }
+  for (std::size_t i = 1; i < lines.size() && indent != std::string::npos; ++i)
+    lines[i].erase(0, std::min(indent, lines[i].size()));
+  return lines;
+}
+
 /// More than this nobody can read, and the layout takes time and memory with the product of columns and rows.
 constexpr std::size_t mostElements = 2'000;
 constexpr std::size_t mostPlaces = 100'000;
@@ -170,6 +191,10 @@ NetworkView networkView(const Program& program, const Pou& pou, const Network& n
     view.notes.push_back({finding->severity, fmt::format("{}: {}", finding->rule, finding->message)});
   view.notExecuted =
       options.recorder != nullptr && !network.instructions.empty() && !wasExecuted(network, *options.recorder);
+  if (isIec(program.target)) {
+    view.statements = sourceLines(program, network);
+    return view;
+  }
   if (!network.complete) view.reason = "a line of the network could not be read";
   if (options.form != Form::Stl && network.complete && !network.instructions.empty()) {
     const Raised raised = drawingOf(network, options, program.target);
@@ -204,7 +229,9 @@ std::string blockHeading(const Pou& pou) {
   if (pou.type != BlockType::None)
     return pou.title.empty() ? step7::blockTitle(pou) : fmt::format("{}  {}", step7::blockTitle(pou), pou.title);
   constexpr std::string_view prefixes[] = {"OB", "SBR", "INT"};
-  std::string heading = fmt::format("{} ({}{})", pou.name, prefixes[static_cast<std::size_t>(pou.kind)], pou.number);
+  std::string heading =
+      pou.isInstance ? pou.name
+                     : fmt::format("{} ({}{})", pou.name, prefixes[static_cast<std::size_t>(pou.kind)], pou.number);
   if (!pou.title.empty()) heading += "  " + pou.title;
   return heading;
 }

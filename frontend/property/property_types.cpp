@@ -43,7 +43,8 @@ std::uint8_t signedWidth(std::int64_t value) {
 
 std::uint8_t signedWidth(const Operand& operand) {
   const int width = numberBits(operand);
-  return static_cast<std::uint8_t>(width == 8 ? 9 : width);
+  if (operand.form == ConstantForm::SignedDecimal) return static_cast<std::uint8_t>(width);
+  return static_cast<std::uint8_t>(width == 8 || operand.form == ConstantForm::Hex ? width + 1 : width);
 }
 
 bool isTimerBit(const ExprNode& node) {

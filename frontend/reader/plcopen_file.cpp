@@ -1,6 +1,8 @@
 // Reader of PLCopen TC6 XML.
 #include "frontend/files/file_reader.hpp"
+#include "frontend/iec/iec_plcopen.hpp"
 #include "frontend/plcopen/plcopen_reader.hpp"
+#include "ir/iec/dialect.hpp"
 #include "ir/s7200/dialect.hpp"
 
 namespace rungproof {
@@ -8,7 +10,7 @@ namespace rungproof {
 namespace {
 
 int rate(const SourceFile& file, const InputText& input, const ReadOptions& options) {
-  if (input.isSymbolFile || !options.allows(s7200Dialect)) return sureness::None;
+  if (input.isSymbolFile || !(options.allows(s7200Dialect) || options.allows(iecDialect))) return sureness::None;
   if (!looksLikeXml(file.text())) return sureness::None;
   const std::string_view text = file.text();
   if (text.find("plcopen.org/xml/tc6") != std::string_view::npos) return sureness::Certain;
@@ -17,7 +19,14 @@ int rate(const SourceFile& file, const InputText& input, const ReadOptions& opti
   return endsInAny(file.name(), {".xml"}) ? sureness::Ending : sureness::None;
 }
 
-void read(Program& program, const InputText& input, const ReadOptions&) { readPlcopen(program, input, *input.drawn); }
+/// Files with bodies in ST are programs of IEC 61131-3; drawings alone are read as an S7-200's where nothing else is
+/// said.
+void read(Program& program, const InputText& input, const ReadOptions& options) {
+  const bool isText = options.dialect == iecDialect.name ||
+                      (options.dialect == "auto" && iec::hasStructuredText(program.sources->file(input.file).text()));
+  if (isText) return iec::readPlcopenText(program, input, *input.iec);
+  readPlcopen(program, input, *input.drawn);
+}
 
 }  // namespace
 

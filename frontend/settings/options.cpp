@@ -40,7 +40,7 @@ constexpr CpuNames s7200CpuNames(false), cpuNames(true);
 constexpr std::array table = {
     OptionInfo{Opt::Cpu, Reading, Arity::One, "cpu", cpuNames.view(), "226", "CPU whose limits count; of an S7-300/400 the largest, unless one is named"},
     OptionInfo{Opt::Edition, Reading, Arity::One, "edition", "2003|2004|smart-2.7|smart-2.8", "2004", "edition of the system manual whose tables count, or firmware of an S7-200 SMART"},
-    OptionInfo{Opt::Dialect, Reading, Arity::One, "dialect", "auto|s7-200|s7-300|s7-400", "auto", "what the files are written in"},
+    OptionInfo{Opt::Dialect, Reading, Arity::One, "dialect", "auto|s7-200|s7-300|s7-400|iec", "auto", "what the files are written in"},
     OptionInfo{Opt::Mnemonics, Reading, Arity::One, "mnemonics", "auto|international|german", "auto", "which set of mnemonics the files use"},
     OptionInfo{Opt::Encoding, Reading, Arity::One, "encoding", "auto|utf-8|cp1252|cp1251|gb18030", "auto", "character encoding of the files"},
     OptionInfo{Opt::Symbols, Reading, Arity::List, "symbols", "FILE", "", "symbol table that belongs to the program"},

@@ -1,0 +1,406 @@
+// LD and FBD bodies to statements.
+#include "frontend/iec/iec_drawing.hpp"
+
+#include <algorithm>
+
+#include "frontend/graphical/drawn_circuit.hpp"
+#include "frontend/iec/iec_parser.hpp"
+#include "frontend/stl/stl_lexer.hpp"
+
+namespace rungproof::iec {
+
+namespace {
+
+bool isInstance(const DrawnElement& element) {
+  return element.kind == DrawnKind::Block && !element.instance.empty() &&
+         element.instance.find('?') == std::string::npos;
+}
+
+class DrawingToStatements {
+ public:
+  DrawingToStatements(Program& program, const DrawnNetwork& network, BlockSyntax& block, SyntaxSink& sink)
+      : block_(block),
+        sink_(sink),
+        drawnSink_(program),
+        circuit_(network, placed(block), isInstance),
+        isDone_(static_cast<std::size_t>(circuit_.count()), false),
+        flows_(static_cast<std::size_t>(circuit_.count())) {}
+
+  void run() {
+    for (const int i : circuit_.results()) attempt(i);
+  }
+
+ private:
+  struct Unwritable {};
+
+  DrawnSink& placed(const BlockSyntax& block) {
+    drawnSink_.setPlace(block.name, 0);
+    return drawnSink_;
+  }
+
+  /// A result that cannot be written leaves a statement that was not read.
+  void attempt(int i) {
+    if (isDone_[static_cast<std::size_t>(i)]) return;
+    try {
+      if (circuit_.damaged()[static_cast<std::size_t>(circuit_.circuitOf(i))] || circuit_.isInLoop(i))
+        throw Unwritable{};
+      write(i);
+    } catch (const Unwritable&) {
+      Statement lost = statementAt(i, StatementKind::Unread);
+      block_.body.push_back(std::move(lost));
+    }
+    isDone_[static_cast<std::size_t>(i)] = true;
+  }
+
+  [[noreturn]] void refuse(const DrawnElement& element, std::string message) {
+    sink_.report(Syntax::IecNotModelled, element.span, std::move(message));
+    throw Unwritable{};
+  }
+
+  Statement statementAt(int i, StatementKind kind) const {
+    Statement made;
+    made.kind = kind;
+    made.span = circuit_.element(i).span;
+    return made;
+  }
+
+  ExprPtr word(std::string_view text, Span span) const {
+    ExprPtr made = std::make_unique<Expr>();
+    made->kind = ExprKind::Literal;
+    made->text = text;
+    made->span = span;
+    return made;
+  }
+  ExprPtr pathTo(std::initializer_list<std::string> names, Span span) const {
+    ExprPtr made = std::make_unique<Expr>();
+    made->kind = ExprKind::Path;
+    made->span = span;
+    for (const std::string& name : names) made->parts.push_back({PathPart::Kind::Name, name, {}, 0, span});
+    return made;
+  }
+  ExprPtr joined(std::string_view op, ExprPtr left, ExprPtr right) const {
+    ExprPtr made = std::make_unique<Expr>();
+    made->kind = ExprKind::Binary;
+    made->text = op;
+    made->span = right->span;
+    made->operands.push_back(std::move(left));
+    made->operands.push_back(std::move(right));
+    return made;
+  }
+  ExprPtr inverted(ExprPtr inner) const {
+    ExprPtr made = std::make_unique<Expr>();
+    made->kind = ExprKind::Unary;
+    made->text = "NOT";
+    made->span = inner->span;
+    made->operands.push_back(std::move(inner));
+    return made;
+  }
+  static bool isTrue(const Expr& expr) { return expr.kind == ExprKind::Literal && foldedName(expr.text) == "TRUE"; }
+  ExprPtr both(ExprPtr left, ExprPtr right) const {
+    if (isTrue(*left)) return right;
+    return joined("AND", std::move(left), std::move(right));
+  }
+
+  /// The text of an element, which is a variable or any expression.
+  ExprPtr parsed(const std::string& text, Span span) {
+    if (text.empty()) {
+      sink_.report(Syntax::IecText, span, "a variable is missing here");
+      throw Unwritable{};
+    }
+    const std::vector<std::uint32_t> places(text.size() + 1, span.offset);
+    ExprPtr made = parseExpression({text, span.file, 0, &places}, sink_);
+    if (made == nullptr) throw Unwritable{};
+    return made;
+  }
+
+  /// A variable that the drawing needs and does not name.
+  std::string hidden(std::string_view what, std::string_view type, Span span) {
+    VariableSyntax made;
+    made.name = fmt::format("__{}_{}", what, block_.variables.size());
+    made.section = Section::Local;
+    made.type = std::make_shared<TypeSyntax>();
+    made.type->name = type;
+    made.type->span = span;
+    made.span = span;
+    block_.variables.push_back(std::move(made));
+    return block_.variables.back().name;
+  }
+
+  void assign(int i, ExprPtr target, ExprPtr value) {
+    Statement made = statementAt(i, StatementKind::Assign);
+    made.target = std::move(target);
+    made.value = std::move(value);
+    block_.body.push_back(std::move(made));
+  }
+
+  /// TRUE in the scan in which the value rises or falls.
+  ExprPtr edgeOf(int i, ExprPtr value, DrawnEdge edge) {
+    if (edge == DrawnEdge::None) return value;
+    const Span span = circuit_.element(i).span;
+    const std::string instance = hidden("edge", edge == DrawnEdge::Rising ? "R_TRIG" : "F_TRIG", span);
+    Statement made = statementAt(i, StatementKind::Call);
+    made.target = pathTo({instance}, span);
+    made.target->kind = ExprKind::Call;
+    Argument clock;
+    clock.name = "CLK";
+    clock.value = std::move(value);
+    clock.span = span;
+    made.target->arguments.push_back(std::move(clock));
+    block_.body.push_back(std::move(made));
+    return pathTo({instance, "Q"}, span);
+  }
+
+  /// What arrives at a pin: several lines are a parallel connection. nullptr: nothing is connected.
+  ExprPtr arriving(int i, const DrawnPin& pin) {
+    ExprPtr value;
+    for (const DrawnLink& link : pin.links) {
+      const int source = circuit_.sourceOf(link);
+      if (source == DrawnCircuit::nothing) throw Unwritable{};
+      ExprPtr one = leaving(source, link.pin);
+      value = value == nullptr ? std::move(one) : joined("OR", std::move(value), std::move(one));
+    }
+    if (value == nullptr && !pin.expression.empty()) value = parsed(pin.expression, pin.span);
+    if (value == nullptr) return nullptr;
+    if (pin.negated) value = inverted(std::move(value));
+    return edgeOf(i, std::move(value), pin.edge);
+  }
+  /// The power flow into a contact or coil.
+  ExprPtr flowInto(int i) {
+    const DrawnElement& element = circuit_.element(i);
+    ExprPtr flow = element.inputs.empty() ? nullptr : arriving(i, element.inputs[0]);
+    if (flow == nullptr) {
+      sink_.report(Syntax::IecText, element.span, fmt::format("nothing leads to {}", nameOf(element)));
+      throw Unwritable{};
+    }
+    return flow;
+  }
+
+  /// The value at an output pin of an element.
+  ExprPtr leaving(int i, const std::string& pin) {
+    if (++depth_ > 400) refuse(circuit_.element(i), "the drawing is nested too deeply");
+    ExprPtr made = leavingOf(i, pin);
+    --depth_;
+    return made;
+  }
+  ExprPtr leavingOf(int i, const std::string& pin) {
+    const DrawnElement& element = circuit_.element(i);
+    switch (element.kind) {
+      case DrawnKind::LeftRail: return word("TRUE", element.span);
+      case DrawnKind::Contact:
+        return shared(i, [&] {
+          ExprPtr flow = element.inputs.empty() ? word("TRUE", element.span) : flowInto(i);
+          ExprPtr value = edgeOf(i, parsed(element.text, element.span), element.edge);
+          if (element.negated) value = inverted(std::move(value));
+          return both(std::move(flow), std::move(value));
+        });
+      case DrawnKind::Coil: return shared(i, [&] { return flowInto(i); });
+      case DrawnKind::InVariable:
+      case DrawnKind::InOutVariable: {
+        if (element.kind == DrawnKind::InOutVariable) attempt(i);
+        ExprPtr value = parsed(element.text, element.span);
+        return element.negated && element.kind == DrawnKind::InVariable ? inverted(std::move(value)) : std::move(value);
+      }
+      case DrawnKind::Continuation: {
+        const int connector = circuit_.connectorOf(i);
+        if (connector == DrawnCircuit::nothing || circuit_.isCut(connector))
+          refuse(element, "a loop without a function block is not modelled");
+        return flowInto(connector);
+      }
+      case DrawnKind::Connector: return flowInto(i);
+      case DrawnKind::Block: return isInstance(element) ? memberOf(i, pin) : resultOf(i, pin);
+      default: refuse(element, fmt::format("{} has no value", nameOf(element)));
+    }
+  }
+
+  /// A flow that several take is computed once, where the first of them needs it.
+  template <class Make>
+  ExprPtr shared(int i, Make&& make) {
+    std::string& kept = flows_[static_cast<std::size_t>(i)];
+    const Span span = circuit_.element(i).span;
+    if (!kept.empty()) return pathTo({kept}, span);
+    const bool isCoil = circuit_.element(i).kind == DrawnKind::Coil;
+    ExprPtr value = make();
+    if (circuit_.consumersOf(i).size() + (isCoil ? 1 : 0) < 2) return value;
+    kept = hidden("flow", "BOOL", span);
+    assign(i, pathTo({kept}, span), std::move(value));
+    return pathTo({kept}, span);
+  }
+
+  const DrawnPin* outputOf(const DrawnElement& element, const std::string& pin) const {
+    for (const DrawnPin& output : element.outputs) {
+      if (output.name == pin || (pin.empty() && &output == &element.outputs.front())) return &output;
+    }
+    return nullptr;
+  }
+
+  ExprPtr memberOf(int i, const std::string& pin) {
+    const DrawnElement& element = circuit_.element(i);
+    if (!circuit_.isCut(i)) attempt(i);
+    const DrawnPin* output = outputOf(element, pin);
+    const std::string name = pin.empty() && output != nullptr ? output->name : pin;
+    if (name.empty()) refuse(element, fmt::format("which output of {} is meant is not said", nameOf(element)));
+    ExprPtr value = parsed(element.instance + "." + name, element.span);
+    return output != nullptr && output->negated ? inverted(std::move(value)) : std::move(value);
+  }
+
+  /// The result of a function, or ENO.
+  ExprPtr resultOf(int i, const std::string& pin) {
+    const DrawnElement& element = circuit_.element(i);
+    const DrawnPin* output = outputOf(element, pin);
+    const std::string name = foldedName(pin.empty() && output != nullptr ? output->name : pin);
+    const auto enable =
+        std::ranges::find_if(element.inputs, [](const DrawnPin& p) { return foldedName(p.name) == "EN"; });
+    const bool isEnabled = enable != element.inputs.end() && !enable->links.empty();
+    if (name == "ENO") return isEnabled ? arriving(i, *enable) : word("TRUE", element.span);
+    if (isEnabled && !isWriting_)
+      refuse(element, fmt::format("the result of {} without power flow is not modelled", nameOf(element)));
+    ExprPtr value = callOf(i, false);
+    return output != nullptr && output->negated ? inverted(std::move(value)) : std::move(value);
+  }
+
+  ExprPtr callOf(int i, bool withEnable) {
+    const DrawnElement& element = circuit_.element(i);
+    ExprPtr call = pathTo({}, element.span);
+    call->kind = ExprKind::Call;
+    if (isInstance(element)) {
+      ExprPtr path = parsed(element.instance, element.span);
+      call->parts = std::move(path->parts);
+    } else {
+      call->parts.push_back({PathPart::Kind::Name, element.text, {}, 0, element.span});
+    }
+    for (const DrawnPin& pin : element.inputs) {
+      const bool isEnable = foldedName(pin.name) == "EN";
+      if (isEnable && !withEnable) continue;
+      Argument argument;
+      argument.name = pin.name;
+      argument.value = arriving(i, pin);
+      argument.span = pin.span;
+      if (argument.value != nullptr) call->arguments.push_back(std::move(argument));
+    }
+    return call;
+  }
+
+  void write(int i) {
+    const DrawnElement& element = circuit_.element(i);
+    switch (element.kind) {
+      case DrawnKind::Coil: return writeCoil(i);
+      case DrawnKind::OutVariable:
+      case DrawnKind::InOutVariable: return writeVariable(i);
+      case DrawnKind::Block: return writeBlock(i);
+      case DrawnKind::Return: {
+        Statement made = statementAt(i, StatementKind::If);
+        Branch& branch = made.branches.emplace_back();
+        branch.condition = flowInto(i);
+        if (element.negated) branch.condition = inverted(std::move(branch.condition));
+        branch.body.push_back(statementAt(i, StatementKind::Return));
+        block_.body.push_back(std::move(made));
+        return;
+      }
+      default: refuse(element, fmt::format("{} is not modelled", nameOf(element)));
+    }
+  }
+
+  void writeCoil(int i) {
+    const DrawnElement& element = circuit_.element(i);
+    ExprPtr flow = circuit_.consumersOf(i).empty() ? flowInto(i) : leaving(i, "");
+    flow = edgeOf(i, std::move(flow), element.edge);
+    if (element.storage == DrawnStorage::None) {
+      if (element.negated) flow = inverted(std::move(flow));
+      return assign(i, parsed(element.text, element.span), std::move(flow));
+    }
+    const bool sets = element.storage == DrawnStorage::Set;
+    whereTrue(i, std::move(flow), parsed(element.text, element.span), word(sets ? "TRUE" : "FALSE", element.span));
+  }
+
+  void whereTrue(int i, ExprPtr condition, ExprPtr target, ExprPtr value) {
+    Statement made = statementAt(i, StatementKind::If);
+    Branch& branch = made.branches.emplace_back();
+    branch.condition = std::move(condition);
+    Statement inner = statementAt(i, StatementKind::Assign);
+    inner.target = std::move(target);
+    inner.value = std::move(value);
+    branch.body.push_back(std::move(inner));
+    block_.body.push_back(std::move(made));
+  }
+
+  /// Behind a function with EN the variable keeps its value without power flow.
+  void writeVariable(int i) {
+    const DrawnElement& element = circuit_.element(i);
+    if (element.inputs.empty()) throw Unwritable{};
+    const DrawnPin& pin = element.inputs[0];
+    const int source = pin.links.size() == 1 ? circuit_.sourceOf(pin.links[0]) : DrawnCircuit::nothing;
+    ExprPtr enable;
+    if (source != DrawnCircuit::nothing && circuit_.element(source).kind == DrawnKind::Block &&
+        !isInstance(circuit_.element(source)) && foldedName(pin.links[0].pin) != "ENO") {
+      for (const DrawnPin& input : circuit_.element(source).inputs) {
+        if (foldedName(input.name) == "EN") enable = arriving(source, input);
+      }
+    }
+    isWriting_ = enable != nullptr;
+    ExprPtr value = arriving(i, pin);
+    isWriting_ = false;
+    if (value == nullptr) {
+      sink_.report(Syntax::IecText, element.span, fmt::format("nothing leads to {}", nameOf(element)));
+      throw Unwritable{};
+    }
+    if (element.negated && element.kind == DrawnKind::OutVariable) value = inverted(std::move(value));
+    if (enable != nullptr) return whereTrue(i, std::move(enable), parsed(element.text, element.span), std::move(value));
+    assign(i, parsed(element.text, element.span), std::move(value));
+  }
+
+  void writeBlock(int i) {
+    const DrawnElement& element = circuit_.element(i);
+    isDone_[static_cast<std::size_t>(i)] = true;
+    if (!isInstance(element)) {  // the variable is written at the output of the function
+      for (const DrawnPin& output : element.outputs) {
+        if (!output.expression.empty()) assign(i, parsed(output.expression, output.span), resultOf(i, output.name));
+      }
+      return;
+    }
+    declare(element);
+    Statement made = statementAt(i, StatementKind::Call);
+    made.target = callOf(i, true);
+    block_.body.push_back(std::move(made));
+    for (const DrawnPin& output : element.outputs) {
+      if (!output.expression.empty()) assign(i, parsed(output.expression, output.span), memberOf(i, output.name));
+    }
+  }
+
+  /// An instance that is drawn and not declared has the type of its block.
+  void declare(const DrawnElement& element) {
+    const std::string folded = foldedName(element.instance);
+    if (folded.find_first_of(".[") != std::string::npos) return;
+    const bool isDeclared =
+        std::ranges::any_of(block_.variables, [&](const VariableSyntax& v) { return foldedName(v.name) == folded; });
+    if (isDeclared || element.text.empty()) return;
+    VariableSyntax made;
+    made.name = element.instance;
+    made.type = std::make_shared<TypeSyntax>();
+    made.type->name = element.text;
+    made.type->span = made.span = element.span;
+    block_.variables.push_back(std::move(made));
+  }
+
+  BlockSyntax& block_;
+  SyntaxSink& sink_;
+  DrawnSink drawnSink_;
+  DrawnCircuit circuit_;
+  std::vector<bool> isDone_;
+  std::vector<std::string> flows_;
+  int depth_ = 0;
+  bool isWriting_ = false;
+};
+
+}  // namespace
+
+void drawnStatements(Program& program, const DrawnNetwork& network, BlockSyntax& block, SyntaxSink& sink) {
+  if (network.isDamaged) {
+    Statement lost;
+    lost.kind = StatementKind::Unread;
+    lost.span = network.span;
+    block.body.push_back(std::move(lost));
+  }
+  DrawingToStatements(program, network, block, sink).run();
+}
+
+}  // namespace rungproof::iec

@@ -1,0 +1,410 @@
+// Names and expressions.
+#include "frontend/iec/iec_lowering.hpp"
+
+namespace rungproof::iec {
+
+namespace {
+
+const Type& booleanType() { return *elementaryType("BOOL"); }
+bool isComparison(const std::string& op) {
+  return op == "=" || op == "<>" || op == "<" || op == ">" || op == "<=" || op == ">=";
+}
+
+}  // namespace
+
+/// The variable of a name in the scope; `owner` is the instance that has it, nullptr for a global one.
+const Variable* Lowering::find(Scope& scope, const std::string& folded, BlockInstance*& owner) {
+  owner = scope.self;
+  if (scope.self != nullptr) {
+    const auto own = scope.self->names.find(folded);
+    if (own != scope.self->names.end()) return &own->second;
+  }
+  owner = nullptr;
+  const auto global = globals_.find(folded);
+  return global == globals_.end() ? nullptr : &global->second;
+}
+
+Reference Lowering::reference(Scope& scope, const Expr& path, bool mayBeMissing) {
+  const PathPart& first = path.parts[0];
+  const std::string folded = foldedName(first.name);
+  Reference at;
+  std::size_t next = 1;
+  const auto inOut = scope.inOuts.find(folded);
+  if (inOut != scope.inOuts.end()) {
+    at = inOut->second;
+  } else if (first.name.starts_with("%")) {
+    VariableSyntax syntax;
+    syntax.address = first.name;
+    syntax.span = first.span;
+    const char size = first.name.size() > 2 ? foldedName(first.name)[2] : '\0';
+    at.type = elementaryType(size == 'B' ? "BYTE" : size == 'W' ? "WORD" : size == 'D' ? "DWORD" : "BOOL");
+    const auto offset = located(syntax, *at.type);
+    if (!offset) refuse(first.span, fmt::format("{} is no address", excerpt(first.name)));
+    at.offset = *offset;
+  } else {
+    BlockInstance* owner = nullptr;
+    const Variable* variable = find(scope, folded, owner);
+    if (variable == nullptr && path.parts.size() > 1) {  // GVL.Speed, Program.Output
+      const auto program = std::ranges::find_if(programs_, [&](const BlockInstance* p) {
+        return foldedName(p->path) == folded || foldedName(p->block->name) == folded;
+      });
+      const std::string second = foldedName(path.parts[1].name);
+      if (program != programs_.end() && (*program)->names.contains(second)) {
+        variable = &(*program)->names.at(second);
+        owner = *program;
+      } else if (program == programs_.end() && globals_.contains(second) &&
+                 !types_.enumerator(path.parts[1].name, first.name)) {
+        variable = &globals_.at(second);
+      }
+      if (variable != nullptr) next = 2;
+    }
+    if (variable == nullptr) {
+      if (mayBeMissing) return at;
+      refuse(first.span, fmt::format("there is no variable {}", excerpt(first.name)), Syntax::IecName);
+    }
+    at.type = variable->type;
+    at.offset = variable->offset;
+    at.constant = variable->constant;
+    at.instance = variable->instance;
+    at.declared = variable->declared;
+    at.owner = owner;
+    if (!variable->elements.empty()) {  // an array of blocks: the index has to be known
+      const auto index = path.parts.size() > next && path.parts[next].kind == PathPart::Kind::Index &&
+                                 path.parts[next].indices.size() == 1
+                             ? types_.integer(*path.parts[next].indices[0])
+                             : std::nullopt;
+      if (!index || variable->type->bounds.size() != 1)
+        refuse(path.span, "an instance in an array needs a constant index");
+      const auto& [low, high] = variable->type->bounds[0];
+      if (*index < low || *index > high) refuse(path.span, fmt::format("the array goes from {} to {}", low, high));
+      at.instance = variable->elements[static_cast<std::size_t>(*index - low)];
+      at.type = variable->type->element;
+      ++next;
+    }
+  }
+  for (; next < path.parts.size(); ++next) step(at, path.parts[next], path);
+  if (at.type != nullptr && at.type->kind == Kind::Unsupported)
+    refuse(path.span, fmt::format("values of type {} are not modelled", at.type->name), Syntax::IecNotModelled);
+  return at;
+}
+
+void Lowering::step(Reference& at, const PathPart& part, const Expr& path) {
+  if (at.constant) refuse(part.span, "a constant has no parts");
+  if (part.kind == PathPart::Kind::Index) return indexStep(at, part);
+  if (part.kind == PathPart::Kind::Bit) {
+    if ((at.type->kind != Kind::BitString && at.type->kind != Kind::Integer) ||
+        part.bit >= static_cast<std::uint32_t>(at.type->width))
+      refuse(part.span, fmt::format("{} has no bit {}", at.type->name, part.bit));
+    at.bit = part.bit;
+    return;
+  }
+  const std::string folded = foldedName(part.name);
+  if (at.instance != nullptr) {
+    const auto member = at.instance->names.find(folded);
+    if (member == at.instance->names.end())
+      refuse(part.span, fmt::format("block {} has no variable {}", at.instance->block->name, excerpt(part.name)),
+             Syntax::IecName);
+    const Variable& variable = member->second;
+    if (!variable.elements.empty()) refuse(path.span, "an instance in an array of another block is not modelled");
+    at.owner = at.instance;
+    at.type = variable.type;
+    at.offset = variable.offset;
+    at.constant = variable.constant;
+    at.instance = variable.instance;
+    at.declared = variable.declared;
+    return;
+  }
+  if (at.type->kind != Kind::Struct) refuse(part.span, fmt::format("{} has no parts", at.type->name));
+  const auto field =
+      std::ranges::find_if(at.type->fields, [&](const Field& f) { return foldedName(f.name) == folded; });
+  if (field == at.type->fields.end())
+    refuse(part.span, fmt::format("{} has no part {}", at.type->name, excerpt(part.name)), Syntax::IecName);
+  at.type = field->type;
+  at.offset += field->offset;
+}
+
+void Lowering::indexStep(Reference& at, const PathPart& part) {
+  if (at.type->kind != Kind::Array) refuse(part.span, fmt::format("{} is no array", at.type->name));
+  if (part.indices.size() != at.type->bounds.size()) {
+    refuse(part.span,
+           fmt::format("the array has {} dimension{}", at.type->bounds.size(), at.type->bounds.size() == 1 ? "" : "s"));
+  }
+  std::uint32_t stride = at.type->bytes;
+  for (std::size_t i = 0; i < part.indices.size(); ++i) {
+    const auto& [low, high] = at.type->bounds[i];
+    const auto count = static_cast<std::uint32_t>(high - low + 1);
+    stride /= count;
+    if (const auto index = types_.integer(*part.indices[i])) {
+      if (*index < low || *index > high)
+        refuse(part.indices[i]->span, fmt::format("index {} is outside of {}..{}", *index, low, high));
+      at.offset += static_cast<std::uint32_t>(*index - low) * stride;
+    } else {
+      at.indices.push_back({part.indices[i].get(), low, count, stride});
+    }
+  }
+  at.type = at.type->element;
+}
+
+const Type* Lowering::typeOf(Scope& scope, const Expr& expr) {
+  switch (expr.kind) {
+    case ExprKind::Text: refuse(expr.span, "texts are not modelled", Syntax::IecNotModelled);
+    case ExprKind::Literal: {
+      const auto known = types_.constant(expr);
+      return known ? known->isReal ? elementaryType("REAL") : known->type : nullptr;
+    }
+    case ExprKind::Path: {
+      const Reference at = reference(scope, expr, true);
+      if (at.type == nullptr) {
+        const auto item = types_.constant(expr);
+        if (!item)
+          refuse(expr.span, fmt::format("there is no variable {}", excerpt(expr.parts[0].name)), Syntax::IecName);
+        return item->type;
+      }
+      if (at.constant && at.type == nullptr) return at.constant->type;
+      return at.bit ? &booleanType() : at.type;
+    }
+    case ExprKind::Unary: return typeOf(scope, *expr.operands[0]);
+    case ExprKind::Binary: {
+      if (isComparison(expr.text)) return &booleanType();
+      const Type *left = typeOf(scope, *expr.operands[0]), *right = typeOf(scope, *expr.operands[1]);
+      if (left == nullptr && right == nullptr) return nullptr;
+      if ((left != nullptr && left->kind == Kind::Time) || (right != nullptr && right->kind == Kind::Time))
+        return elementaryType("TIME");
+      return common(left, right, nullptr, expr.span);
+    }
+    case ExprKind::Call: return resultOf(scope, expr);
+  }
+  return nullptr;
+}
+
+/// The type in which both are computed.
+const Type* Lowering::common(const Type* left, const Type* right, const Type* wanted, Span span) {
+  if (left == nullptr && right == nullptr)
+    return wanted != nullptr && wanted->isValue() && wanted->kind != Kind::Bool ? wanted : elementaryType("DINT");
+  if (left == nullptr || right == nullptr) return left == nullptr ? right : left;
+  if (left == right || left->name == right->name) return left;
+  const auto isReal = [](const Type& t) { return t.kind == Kind::Real; };
+  if ((isReal(*left) && right->isNumber()) || (isReal(*right) && left->isNumber())) return elementaryType("REAL");
+  if (left->isNumber() && right->isNumber()) {
+    if (left->kind == Kind::BitString && right->kind == Kind::BitString)
+      return left->width >= right->width ? left : right;
+    if (left->width == right->width && left->kind == Kind::BitString) return right;
+    if (left->width == right->width && right->kind == Kind::BitString) return left;
+    if (left->isSigned == right->isSigned) return left->width >= right->width ? left : right;
+    const Type& signedOne = left->isSigned ? *left : *right;
+    const Type& unsignedOne = left->isSigned ? *right : *left;
+    if (signedOne.width > unsignedOne.width) return &signedOne;
+    if (unsignedOne.width < 32) return elementaryType(unsignedOne.width == 8 ? "INT" : "DINT");
+  }
+  refuse(span, fmt::format("{} and {} do not go together", left->name, right->name));
+}
+
+const Type* Lowering::value(Scope& scope, const Expr& expr, const Type* wanted) {
+  if (expr.kind != ExprKind::Path || expr.parts.size() == 1) {
+    BlockInstance* owner = nullptr;
+    const bool isVariable =
+        expr.kind == ExprKind::Path && (scope.inOuts.contains(foldedName(expr.parts[0].name)) ||
+                                        find(scope, foldedName(expr.parts[0].name), owner) != nullptr);
+    if (const auto known = isVariable || expr.kind == ExprKind::Call ? std::nullopt : types_.constant(expr)) {
+      const Type* type = known->isReal                                       ? elementaryType("REAL")
+                         : known->type != nullptr                            ? known->type
+                         : wanted != nullptr && wanted->isValue()            ? wanted
+                         : known->number >= -32768 && known->number <= 32767 ? elementaryType("INT")
+                                                                             : elementaryType("DINT");
+      pushValue(*known, *type, expr.span);
+      return type;
+    }
+  }
+  switch (expr.kind) {
+    case ExprKind::Text: refuse(expr.span, "texts are not modelled", Syntax::IecNotModelled);
+    case ExprKind::Literal: {
+      std::string reason;
+      static_cast<void>(literalValue(expr, reason));
+      refuse(expr.span, reason.empty() ? fmt::format("{} cannot be read", excerpt(expr.text)) : reason);
+    }
+    case ExprKind::Path: {
+      const Reference at = reference(scope, expr, true);
+      if (at.type == nullptr && !at.constant) {
+        const auto item = types_.constant(expr);
+        if (!item || item->type == nullptr)
+          refuse(expr.span, fmt::format("there is no variable {}", excerpt(expr.parts[0].name)), Syntax::IecName);
+        pushValue(*item, *item->type, expr.span);
+        return item->type;
+      }
+      if (at.constant) {
+        pushValue(*at.constant, *at.type, expr.span);
+        return at.type;
+      }
+      if (!at.type->isValue()) refuse(expr.span, fmt::format("{} is no value here", at.type->name));
+      readReference(scope, at);
+      return at.bit ? &booleanType() : at.type;
+    }
+    case ExprKind::Unary: return unary(scope, expr, wanted);
+    case ExprKind::Binary: return binary(scope, expr, wanted);
+    case ExprKind::Call: return call(scope, expr, wanted);
+  }
+  return nullptr;
+}
+
+void Lowering::valueAs(Scope& scope, const Expr& expr, const Type& wanted) {
+  const Type* type = value(scope, expr, &wanted);
+  convertImplicitly(*type, wanted, expr.span);
+}
+
+void Lowering::pushValue(const Value& value, const Type& wanted, Span span) {
+  if (wanted.kind == Kind::Real) {
+    if (value.isReal || (value.type != nullptr && value.type->kind == Kind::Real)) return constant(value.number, 32);
+    constant(value.number, 32);
+    return emit("TO.REAL", {1});
+  }
+  if (value.isReal) refuse(span, fmt::format("a REAL number does not fit into {}", wanted.name));
+  if (wanted.kind == Kind::Time && value.type == nullptr && value.number != 0)
+    refuse(span, "a duration is written T#5s");
+  const bool isBoolean = wanted.kind == Kind::Bool;
+  if (isBoolean && (value.number < 0 || value.number > 1)) refuse(span, fmt::format("{} is no BOOL", value.number));
+  const std::int64_t top = std::int64_t{1} << wanted.width;
+  const std::int64_t least = wanted.isSigned ? -(top / 2) : 0;
+  if (value.number < least || value.number >= top)
+    refuse(span, fmt::format("{} does not fit into {}", value.number, wanted.name));
+  constant(value.number, wanted.width);
+}
+
+/// Where nothing is lost; a narrower or other type needs a function of conversion.
+void Lowering::convertImplicitly(const Type& from, const Type& to, Span span) {
+  if (&from == &to || from.name == to.name) return;
+  const bool isWhole = from.isNumber() && to.isNumber();
+  const bool fits =
+      isWhole &&
+      (from.width < to.width ? from.isSigned == to.isSigned || !from.isSigned || to.kind == Kind::BitString
+                             : from.width == to.width && (from.isSigned == to.isSigned ||
+                                                          from.kind == Kind::BitString || to.kind == Kind::BitString));
+  if (fits) {
+    if (from.width != to.width) emit("RESIZE", {from.width, to.width, from.isSigned ? 1 : 0});
+    return;
+  }
+  if (from.kind == Kind::Integer && to.kind == Kind::Real) return convert(from, to, false, span);
+  if (from.kind == Kind::Enum && to.kind == Kind::Enum) refuse(span, fmt::format("{} is no {}", from.name, to.name));
+  refuse(span, fmt::format("{} does not fit into {}: write {}_TO_{}", from.name, to.name, from.name, to.name));
+}
+
+const Type* Lowering::unary(Scope& scope, const Expr& expr, const Type* wanted) {
+  const Expr& inner = *expr.operands[0];
+  const Type* type = value(scope, inner, wanted);
+  if (expr.text == "NOT") {
+    if (type->kind != Kind::Bool && !type->isNumber()) refuse(expr.span, fmt::format("NOT of {}", type->name));
+    emit("NOT", {type->width});
+  } else if (type->kind == Kind::Real) {
+    emit("NEG.REAL");
+  } else {
+    if (type->kind != Kind::Integer && type->kind != Kind::Time) refuse(expr.span, fmt::format("- of {}", type->name));
+    emit("NEG", {type->width});
+  }
+  return type;
+}
+
+/// Whether it calls anything.
+bool Lowering::calls(const Expr& expr) {
+  if (expr.kind == ExprKind::Call) return true;
+  for (const PathPart& part : expr.parts) {
+    if (std::ranges::any_of(part.indices, [](const ExprPtr& index) { return calls(*index); })) return true;
+  }
+  return std::ranges::any_of(expr.operands, [](const ExprPtr& inner) { return calls(*inner); });
+}
+
+/// Whether computing it may end the scan, or has an effect.
+bool Lowering::mayFault(const Expr& expr) const {
+  if (expr.kind == ExprKind::Call) return true;
+  if (expr.kind == ExprKind::Binary && (expr.text == "/" || expr.text == "MOD")) return true;
+  for (const PathPart& part : expr.parts) {
+    for (const ExprPtr& index : part.indices) {
+      if (index->kind != ExprKind::Literal) return true;
+    }
+  }
+  return std::ranges::any_of(expr.operands, [&](const ExprPtr& inner) { return mayFault(*inner); });
+}
+
+const Type* Lowering::binary(Scope& scope, const Expr& expr, const Type* wanted) {
+  const Expr &left = *expr.operands[0], &right = *expr.operands[1];
+  const Type *leftType = typeOf(scope, left), *rightType = typeOf(scope, right);
+  const auto isTime = [](const Type* t) { return t != nullptr && t->kind == Kind::Time; };
+  if ((expr.text == "*" || expr.text == "/") && (isTime(leftType) || isTime(rightType))) {
+    const bool isSwapped = isTime(rightType);
+    if (isSwapped && (expr.text == "/" || isTime(leftType)))
+      refuse(expr.span, "a duration is multiplied or divided by a number");
+    const Type& time = *elementaryType("TIME");
+    const Type* number = isSwapped ? leftType : rightType;
+    if (number != nullptr && number->kind != Kind::Integer)
+      refuse(expr.span, "a duration times a REAL is not modelled", Syntax::IecNotModelled);
+    const auto operand = [&](const Expr& side, bool isDuration) {
+      if (isDuration) return valueAs(scope, side, time);
+      const Type* type = value(scope, side, elementaryType("DINT"));
+      emit("RESIZE", {type->width, 32, type->isSigned ? 1 : 0});
+    };
+    operand(left, !isSwapped);
+    operand(right, isSwapped);
+    emit(expr.text == "*" ? "MUL" : "DIV", {32});
+    if (expr.text == "/") last().operands.push_back(rungproof::constant(1));
+    return &time;
+  }
+  const bool isCompare = isComparison(expr.text);
+  const Type* type = common(leftType, rightType, isCompare ? nullptr : wanted, expr.span);
+  if (!type->isValue()) refuse(expr.span, fmt::format("{} is no value here", type->name));
+  if (type->kind == Kind::Bool && (expr.text == "AND" || expr.text == "OR") && mayFault(right)) {
+    logicWithFaults(scope, expr);
+    return type;
+  }
+  valueAs(scope, left, *type);
+  valueAs(scope, right, *type);
+  operate(expr.text, *type, expr.span);
+  return isCompare ? &booleanType() : type;
+}
+
+/// Whether the right side is computed where the left one decides is open, and matters here.
+void Lowering::logicWithFaults(Scope& scope, const Expr& expr) {
+  const Type& boolean = booleanType();
+  const std::uint32_t decided = allocate(1);
+  const int end = newLabel();
+  valueAs(scope, *expr.operands[0], boolean);
+  store(boolean, decided);
+  emit("READING", {static_cast<std::int64_t>(Choice::IecShortCircuit), 1});
+  load(boolean, decided);
+  if (expr.text == "AND") emit("NOT", {1});
+  emit("AND", {1});
+  emit("NOT", {1});
+  jumpIfFalse(end);
+  load(boolean, decided);
+  valueAs(scope, *expr.operands[1], boolean);
+  emit(expr.text, {1});
+  store(boolean, decided);
+  label(end);
+  load(boolean, decided);
+}
+
+void Lowering::operate(const std::string& op, const Type& type, Span span) {
+  static const std::map<std::string, std::string_view> names = {
+      {"+", "ADD"},   {"-", "SUB"}, {"*", "MUL"}, {"/", "DIV"}, {"MOD", "MOD"}, {"AND", "AND"}, {"OR", "OR"},
+      {"XOR", "XOR"}, {"=", "EQ"},  {"<>", "NE"}, {"<", "LT"},  {">", "GT"},    {"<=", "LE"},   {">=", "GE"}};
+  const auto found = names.find(op);
+  if (found == names.end()) refuse(span, fmt::format("{} is not modelled", op), Syntax::IecNotModelled);
+  const std::string mnemonic(found->second);
+  const bool isLogic = op == "AND" || op == "OR" || op == "XOR";
+  const bool isArithmetic = op == "+" || op == "-" || op == "*" || op == "/" || op == "MOD";
+  const bool isEquality = op == "=" || op == "<>";
+  if (isLogic) {
+    if (type.kind != Kind::Bool && !type.isNumber()) refuse(span, fmt::format("{} of {}", op, type.name));
+    return emit(mnemonic, {type.width});
+  }
+  if (type.kind == Kind::Bool && !isEquality) {
+    if (isArithmetic) refuse(span, fmt::format("{} of BOOL", op));
+    return emit(mnemonic, {1, 0});
+  }
+  if (type.kind == Kind::Real) {
+    if (op == "MOD") refuse(span, "MOD of REAL");
+    return emit(mnemonic + ".REAL");
+  }
+  if (!isArithmetic) return emit(mnemonic, {type.width, type.isSigned ? 1 : 0});
+  if (op == "/" || op == "MOD") return emit(mnemonic, {type.width, type.isSigned ? 1 : 0});
+  emit(mnemonic, {type.width});
+}
+
+}  // namespace rungproof::iec

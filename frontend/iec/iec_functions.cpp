@@ -1,0 +1,410 @@
+// Functions: those of the standard, conversions, and the project's own.
+#include "frontend/iec/iec_lowering.hpp"
+#include "ir/domain.hpp"
+
+namespace rungproof::iec {
+
+namespace {
+
+enum class Call : std::uint8_t {
+  Operator,
+  Compare,
+  Shift,
+  Select,
+  Mux,
+  Extreme,
+  Limit,
+  Absolute,
+  RealFunction,
+  Move,
+  Not
+};
+
+struct StandardFunction {
+  Call call;
+  std::string_view op;  ///< operator or mnemonic
+  RealFunction function = RealFunction::Sqrt;
+};
+
+const std::map<std::string, StandardFunction>& standardFunctions() {
+  static const std::map<std::string, StandardFunction> all = {
+      {"ADD", {Call::Operator, "+"}},
+      {"SUB", {Call::Operator, "-"}},
+      {"MUL", {Call::Operator, "*"}},
+      {"DIV", {Call::Operator, "/"}},
+      {"MOD", {Call::Operator, "MOD"}},
+      {"AND", {Call::Operator, "AND"}},
+      {"OR", {Call::Operator, "OR"}},
+      {"XOR", {Call::Operator, "XOR"}},
+      {"NOT", {Call::Not, ""}},
+      {"GT", {Call::Compare, ">"}},
+      {"GE", {Call::Compare, ">="}},
+      {"EQ", {Call::Compare, "="}},
+      {"LE", {Call::Compare, "<="}},
+      {"LT", {Call::Compare, "<"}},
+      {"NE", {Call::Compare, "<>"}},
+      {"SHL", {Call::Shift, "SHL"}},
+      {"SHR", {Call::Shift, "SHR"}},
+      {"ROL", {Call::Shift, "ROL"}},
+      {"ROR", {Call::Shift, "ROR"}},
+      {"SEL", {Call::Select, ""}},
+      {"MUX", {Call::Mux, ""}},
+      {"MAX", {Call::Extreme, "MAX"}},
+      {"MIN", {Call::Extreme, "MIN"}},
+      {"LIMIT", {Call::Limit, ""}},
+      {"ABS", {Call::Absolute, ""}},
+      {"MOVE", {Call::Move, ""}},
+      {"SQRT", {Call::RealFunction, "", RealFunction::Sqrt}},
+      {"SIN", {Call::RealFunction, "", RealFunction::Sin}},
+      {"COS", {Call::RealFunction, "", RealFunction::Cos}},
+      {"TAN", {Call::RealFunction, "", RealFunction::Tan}},
+      {"LN", {Call::RealFunction, "", RealFunction::Ln}},
+      {"EXP", {Call::RealFunction, "", RealFunction::Exp}},
+      {"ASIN", {Call::RealFunction, "", RealFunction::ArcSin}},
+      {"ACOS", {Call::RealFunction, "", RealFunction::ArcCos}},
+      {"ATAN", {Call::RealFunction, "", RealFunction::ArcTan}},
+  };
+  return all;
+}
+
+/// INT_TO_REAL, TO_REAL, TRUNC, REAL_TRUNC_INT: the type of the result.
+const Type* conversionTarget(const std::string& name) {
+  if (name == "TRUNC") return elementaryType("DINT");
+  std::string_view rest = name;
+  if (const std::size_t at = rest.find("_TRUNC_"); at != std::string_view::npos)
+    return elementaryType(rest.substr(at + 7));
+  if (rest.starts_with("TRUNC_")) return elementaryType(rest.substr(6));
+  if (rest.starts_with("TO_")) return elementaryType(rest.substr(3));
+  const std::size_t at = rest.find("_TO_");
+  if (at == std::string_view::npos || elementaryType(rest.substr(0, at)) == nullptr) return nullptr;
+  return elementaryType(rest.substr(at + 4));
+}
+
+}  // namespace
+
+/// The arguments in the order of the parameters, formal or not.
+std::vector<const Expr*> Lowering::plainArguments(const Expr& expr,
+                                                  std::initializer_list<std::string_view> names) const {
+  std::vector<const Expr*> found;
+  std::map<std::string, const Expr*> formal;
+  for (const Argument& argument : expr.arguments) {
+    if (argument.value == nullptr || argument.isOutput) continue;
+    if (argument.name.empty()) {
+      found.push_back(argument.value.get());
+    } else {
+      formal[foldedName(argument.name)] = argument.value.get();
+    }
+  }
+  if (formal.empty()) return found;
+  if (formal.contains("EN")) return {};
+  for (const std::string_view name : names) {
+    if (const auto at = formal.find(std::string(name)); at != formal.end()) found.push_back(at->second);
+  }
+  for (int i = 0; i < 64; ++i) {  // IN0, IN1 ... of those that take any number
+    const std::string name = "IN" + std::to_string(i);
+    if (std::ranges::find(names, name) == names.end() && formal.contains(name)) found.push_back(formal.at(name));
+  }
+  return found.size() == formal.size() ? found : std::vector<const Expr*>{};
+}
+
+const Type* Lowering::commonOf(Scope& scope, const std::vector<const Expr*>& values, const Type* wanted, Span span) {
+  const Type* type = ownTypeOf(scope, values, span);
+  return type != nullptr ? type : common(nullptr, nullptr, wanted, span);
+}
+
+/// nullptr: all of them are literals, which take any type.
+const Type* Lowering::ownTypeOf(Scope& scope, const std::vector<const Expr*>& values, Span span) {
+  const Type* type = nullptr;
+  for (const Expr* one : values) {
+    const Type* next = typeOf(scope, *one);
+    if (type == nullptr || next == nullptr) {
+      type = type == nullptr ? next : type;
+    } else {
+      type = common(type, next, nullptr, span);
+    }
+  }
+  return type;
+}
+
+const Type* Lowering::resultOf(Scope& scope, const Expr& expr) {
+  const std::string name = foldedName(expr.parts[0].name);
+  if (const BlockInstance* own = functionNamed(name)) return own->names.at(name).type;
+  return standardResult(scope, name, expr);
+}
+
+const Type* Lowering::standardResult(Scope& scope, const std::string& name, const Expr& expr) {
+  if (name == "__READING") return elementaryType("BOOL");
+  const auto found = standardFunctions().find(name);
+  if (found == standardFunctions().end()) {
+    if (const Type* target = conversionTarget(name)) return target;
+    refuse(expr.span, fmt::format("there is no function {}", excerpt(expr.parts[0].name)), Syntax::IecName);
+  }
+  std::vector<const Expr*> values = plainArguments(expr, {"IN", "G", "K", "MN", "IN0", "IN1", "IN2", "MX", "N"});
+  if (found->second.call == Call::Compare) return elementaryType("BOOL");
+  if (found->second.call == Call::RealFunction) return elementaryType("REAL");
+  if (values.empty()) refuse(expr.span, fmt::format("the arguments of {} do not fit", name));
+  if (found->second.call == Call::Shift || found->second.call == Call::Absolute || found->second.call == Call::Move ||
+      found->second.call == Call::Not)
+    return typeOf(scope, *values[0]);
+  if (found->second.call == Call::Select || found->second.call == Call::Mux) values.erase(values.begin());
+  if (found->second.call == Call::Operator) {
+    for (const Expr* one : values) {
+      const Type* type = typeOf(scope, *one);
+      if (type != nullptr && type->kind == Kind::Time) return type;
+    }
+  }
+  return ownTypeOf(scope, values, expr.span);
+}
+
+const Type* Lowering::call(Scope& scope, const Expr& expr, const Type* wanted) {
+  const std::string name = foldedName(expr.parts[0].name);
+  if (expr.parts.size() != 1) refuse(expr.span, "methods are not modelled", Syntax::IecNotModelled);
+  if (BlockInstance* own = functionNamed(name)) return ownFunction(scope, *own, expr);
+  return standardCall(scope, name, expr, wanted);
+}
+
+/// All arguments are computed before the first is stored: one of them may call the same function.
+const Type* Lowering::ownFunction(Scope& scope, BlockInstance& function, const Expr& expr) {
+  Scope inner;
+  inner.self = &function;
+  std::vector<const VariableSyntax*> inputs;
+  for (const VariableSyntax& variable : function.block->variables) {
+    if (variable.section == Section::Input || variable.section == Section::InOut) inputs.push_back(&variable);
+  }
+  std::vector<const Argument*> given(inputs.size(), nullptr);
+  std::size_t position = 0;
+  for (const Argument& argument : expr.arguments) {
+    if (argument.isOutput) continue;
+    if (foldedName(argument.name) == "EN")
+      refuse(argument.span, "EN of a function is not modelled", Syntax::IecNotModelled);
+    std::size_t at = position;
+    if (!argument.name.empty()) {
+      at = 0;
+      while (at < inputs.size() && foldedName(inputs[at]->name) != foldedName(argument.name)) ++at;
+    } else {
+      ++position;
+    }
+    if (at >= inputs.size()) refuse(argument.span, fmt::format("function {} has no such input", function.block->name));
+    given[at] = &argument;
+  }
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const Variable& formal = function.names.at(foldedName(inputs[i]->name));
+    if (inputs[i]->section == Section::InOut) {
+      if (given[i] == nullptr || given[i]->value->kind != ExprKind::Path) refuse(expr.span, "IN_OUT needs a variable");
+      const Reference actual = reference(scope, *given[i]->value);
+      if (!actual.indices.empty() || actual.bit || actual.constant)
+        refuse(expr.span, "IN_OUT with a computed element is not modelled", Syntax::IecNotModelled);
+      inner.inOuts[foldedName(inputs[i]->name)] = actual;
+      continue;
+    }
+    if (!formal.type->isValue())
+      refuse(expr.span, fmt::format("{} as an argument of a function is not modelled", formal.type->name),
+             Syntax::IecNotModelled);
+    if (given[i] != nullptr) {
+      valueAs(scope, *given[i]->value, *formal.type);
+    } else {
+      std::optional<Value> usual;
+      if (inputs[i]->initial != nullptr && inputs[i]->initial->value != nullptr)
+        usual = types_.constant(*inputs[i]->initial->value);
+      pushValue(usual.value_or(Value{formal.type, 0}), *formal.type, expr.span);
+    }
+  }
+  for (std::size_t i = inputs.size(); i-- > 0;) {
+    if (inputs[i]->section == Section::InOut) continue;
+    const Variable& formal = function.names.at(foldedName(inputs[i]->name));
+    store(*formal.type, formal.offset);
+  }
+  runBody(scope, function, inner, expr.span);
+  readOutputs(scope, function, expr);
+  const Variable& result = function.names.at(foldedName(function.block->name));
+  if (!result.type->isValue())
+    refuse(expr.span, fmt::format("a result of type {} is not modelled", result.type->name), Syntax::IecNotModelled);
+  load(*result.type, result.offset);
+  return result.type;
+}
+
+const Type* Lowering::standardCall(Scope& scope, const std::string& name, const Expr& expr, const Type* wanted) {
+  const Type& boolean = *elementaryType("BOOL");
+  if (name == "__READING") {
+    const std::string key = expr.arguments[0].value->text, reading = expr.arguments[1].value->text;
+    Choices known;
+    CHECK(known.set(key.substr(1, key.size() - 2), reading.substr(1, reading.size() - 2)),
+          "the choice has that reading");
+    for (const ChoiceInfo& info : choiceTable) {
+      if (known.isChosen(info.choice)) emit("READING", {static_cast<std::int64_t>(info.choice), known[info.choice]});
+    }
+    return &boolean;
+  }
+  const auto found = standardFunctions().find(name);
+  if (found == standardFunctions().end()) return conversion(scope, name, expr);
+  const StandardFunction& row = found->second;
+  std::vector<const Expr*> values = plainArguments(expr, {"IN", "G", "K", "MN", "IN0", "IN1", "IN2", "MX", "N"});
+  if (row.call == Call::Limit) values = plainArguments(expr, {"MN", "IN", "MX"});
+  const auto need = [&](std::size_t least, std::size_t most) {
+    if (values.size() < least || values.size() > most)
+      refuse(expr.span, fmt::format("the arguments of {} do not fit", name));
+  };
+  const auto isTimeValue = [&](const Expr* one) {
+    const Type* type = typeOf(scope, *one);
+    return type != nullptr && type->kind == Kind::Time;
+  };
+  switch (row.call) {
+    case Call::Not: {
+      need(1, 1);
+      const Type* type = value(scope, *values[0], wanted);
+      emit("NOT", {type->width});
+      return type;
+    }
+    case Call::Move: need(1, 1); return value(scope, *values[0], wanted);
+    case Call::Operator: {
+      need(2, 64);
+      if ((row.op == "*" || row.op == "/") && (isTimeValue(values[0]) || isTimeValue(values[1])))
+        refuse(expr.span, "write * or / between a duration and a number");
+      const Type* type = commonOf(scope, values, wanted, expr.span);
+      valueAs(scope, *values[0], *type);
+      for (std::size_t i = 1; i < values.size(); ++i) {
+        valueAs(scope, *values[i], *type);
+        operate(std::string(row.op), *type, expr.span);
+      }
+      return type;
+    }
+    case Call::Compare: {
+      need(2, 64);
+      const Type* type = commonOf(scope, values, nullptr, expr.span);
+      for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+        valueAs(scope, *values[i], *type);
+        valueAs(scope, *values[i + 1], *type);
+        operate(std::string(row.op), *type, expr.span);
+        if (i > 0) emit("AND", {1});
+      }
+      return &boolean;
+    }
+    case Call::Shift: {
+      need(2, 2);
+      const Type* type = value(scope, *values[0], wanted);
+      if (!type->isNumber()) refuse(expr.span, fmt::format("{} of {}", name, type->name));
+      if (type->isSigned && row.op == "SHR")
+        refuse(expr.span, "SHR of a signed number is not modelled", Syntax::IecNotModelled);
+      const Type* count = value(scope, *values[1], elementaryType("DINT"));
+      if (!count->isNumber()) refuse(expr.span, fmt::format("a count of type {}", count->name));
+      emit("RESIZE", {count->width, 32, count->isSigned ? 1 : 0});
+      emit(row.op, {type->width});
+      return type;
+    }
+    case Call::Select: {
+      need(3, 3);
+      valueAs(scope, *values[0], boolean);
+      const Type* type = commonOf(scope, {values[1], values[2]}, wanted, expr.span);
+      valueAs(scope, *values[1], *type);
+      valueAs(scope, *values[2], *type);
+      emit("SEL", {type->width});
+      return type;
+    }
+    case Call::Mux: {
+      need(3, 64);
+      const std::vector<const Expr*> inputs(values.begin() + 1, values.end());
+      const Type* type = commonOf(scope, inputs, wanted, expr.span);
+      const Type* number = value(scope, *values[0], elementaryType("DINT"));
+      if (!number->isNumber()) refuse(expr.span, "K of MUX is a whole number");
+      const std::uint32_t selector = allocate(number->bytes), result = allocate(type->bytes);
+      store(*number, selector);
+      constant(0, type->width);
+      store(*type, result);
+      for (std::size_t i = 0; i < inputs.size(); ++i) {
+        load(*number, selector);
+        constant(static_cast<std::int64_t>(i), number->width);
+        emit("EQ", {number->width, 0});
+        load(*type, result);
+        valueAs(scope, *inputs[i], *type);
+        emit("SEL", {type->width});
+        store(*type, result);
+      }
+      load(*type, result);
+      return type;
+    }
+    case Call::Extreme:
+    case Call::Limit: {
+      if (row.call == Call::Limit) need(3, 3);
+      need(2, 64);
+      const Type* type = commonOf(scope, values, wanted, expr.span);
+      const auto extreme = [&](std::string_view op) {
+        if (type->kind == Kind::Real) return emit(std::string(op) + ".REAL");
+        emit(op, {type->width, type->isSigned ? 1 : 0});
+      };
+      if (row.call == Call::Limit) {  // MIN(MAX(IN, MN), MX)
+        valueAs(scope, *values[1], *type);
+        valueAs(scope, *values[0], *type);
+        extreme("MAX");
+        valueAs(scope, *values[2], *type);
+        extreme("MIN");
+        return type;
+      }
+      valueAs(scope, *values[0], *type);
+      for (std::size_t i = 1; i < values.size(); ++i) {
+        valueAs(scope, *values[i], *type);
+        extreme(row.op);
+      }
+      return type;
+    }
+    case Call::Absolute: {
+      need(1, 1);
+      const Type* type = value(scope, *values[0], wanted);
+      if (type->kind == Kind::Real) {
+        emit("ABS.REAL");
+      } else if (type->isSigned) {
+        emit("ABS", {type->width});
+      }
+      return type;
+    }
+    case Call::RealFunction: {
+      need(1, 1);
+      valueAs(scope, *values[0], *elementaryType("REAL"));
+      emit("FUNC.REAL", {static_cast<std::int64_t>(row.function)});
+      return elementaryType("REAL");
+    }
+  }
+  return nullptr;
+}
+
+const Type* Lowering::conversion(Scope& scope, const std::string& name, const Expr& expr) {
+  const Type* target = conversionTarget(name);
+  if (target == nullptr)
+    refuse(expr.span, fmt::format("there is no function {}", excerpt(expr.parts[0].name)), Syntax::IecName);
+  if (target->kind == Kind::Unsupported)
+    refuse(expr.span, fmt::format("values of type {} are not modelled", target->name), Syntax::IecNotModelled);
+  const std::vector<const Expr*> values = plainArguments(expr, {"IN"});
+  if (values.size() != 1) refuse(expr.span, fmt::format("the arguments of {} do not fit", name));
+  const std::size_t at = name.find("_TO_");
+  const Type* stated = at == std::string::npos ? nullptr : elementaryType(name.substr(0, at));
+  const Type* source = value(scope, *values[0], stated);
+  if (stated != nullptr && stated->kind != Kind::Unsupported && stated != source) {
+    convertImplicitly(*source, *stated, expr.span);
+    source = stated;
+  }
+  convert(*source, *target, name.find("TRUNC") != std::string::npos, expr.span);
+  return target;
+}
+
+void Lowering::convert(const Type& from, const Type& to, bool cuts, Span span) {
+  if (from.kind == Kind::Time || to.kind == Kind::Time) {
+    if (from.kind == to.kind) return;
+    refuse(span, "whether a duration becomes seconds or milliseconds is open; this is not modelled",
+           Syntax::IecNotModelled);
+  }
+  if (from.kind == Kind::Real) {
+    if (to.kind == Kind::Real) return;
+    if (to.kind == Kind::Bool) refuse(span, "REAL_TO_BOOL is not modelled", Syntax::IecNotModelled);
+    return emit("FROM.REAL", {to.width, to.isSigned ? 1 : 0, cuts ? 0 : 1});
+  }
+  if (to.kind == Kind::Real) {
+    emit("RESIZE", {from.width, 32, from.isSigned ? 1 : 0});
+    return emit("TO.REAL", {from.width == 32 && !from.isSigned ? 0 : 1});
+  }
+  if (to.kind == Kind::Bool && from.kind != Kind::Bool) {
+    constant(0, from.width);
+    return emit("NE", {from.width, 0});
+  }
+  emit("RESIZE", {from.width, to.width, from.isSigned ? 1 : 0});
+}
+
+}  // namespace rungproof::iec

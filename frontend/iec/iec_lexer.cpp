@@ -1,0 +1,208 @@
+// Tokens of IEC 61131-3 texts.
+#include "frontend/iec/iec_lexer.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "frontend/stl/directive.hpp"
+#include "frontend/stl/stl_lexer.hpp"
+
+namespace rungproof::iec {
+
+std::string foldedName(std::string_view name) {
+  std::string folded(name);
+  for (char& c : folded) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return folded;
+}
+
+Span SourceText::span(std::uint32_t begin, std::uint32_t end) const {
+  if (places == nullptr) return {file, offset + begin, end - begin};
+  const auto at = [&](std::uint32_t i) {
+    return i < places->size() ? (*places)[i] : places->empty() ? 0 : places->back();
+  };
+  return {file, offset + at(begin), end > begin ? at(end - 1) - at(begin) + 1 : 0};
+}
+
+namespace {
+
+bool startsName(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_' || (static_cast<unsigned char>(c) & 0x80) != 0;
+}
+bool isDigitOf(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool isNamePart(char c) { return startsName(c) || isDigitOf(c); }
+
+class IecLexer {
+ public:
+  IecLexer(const SourceText& source, SyntaxSink& sink, std::vector<Directive>& directives)
+      : source_(source), text_(source.text), sink_(sink), directives_(directives) {}
+
+  std::vector<IecToken> run() {
+    std::vector<IecToken> tokens;
+    while (pass(), at_ < text_.size()) tokens.push_back(next());
+    tokens.push_back({TokenKind::End, {}, {}, size(), size()});
+    return tokens;
+  }
+
+ private:
+  std::uint32_t size() const { return static_cast<std::uint32_t>(text_.size()); }
+  bool sees(std::string_view word) const { return text_.substr(at_, word.size()) == word; }
+
+  /// Blanks, comments, pragmas.
+  void pass() {
+    while (at_ < text_.size()) {
+      if (std::isspace(static_cast<unsigned char>(text_[at_])) != 0) {
+        ++at_;
+      } else if (sees("//")) {
+        const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+        comment(trimmed(text_.substr(at_, end - at_)));
+        at_ = end;
+      } else if (sees("(*")) {
+        nested("(*", "*)");
+      } else if (sees("/*")) {
+        nested("/*", "*/");
+      } else if (text_[at_] == '{') {
+        at_ = std::min(text_.find('}', at_), text_.size() - 1) + 1;
+      } else {
+        return;
+      }
+    }
+  }
+  void nested(std::string_view open, std::string_view close) {
+    const std::size_t first = at_;
+    std::size_t depth = 0;
+    while (at_ < text_.size()) {
+      if (sees(open)) {
+        ++depth;
+        at_ += 2;
+      } else if (sees(close)) {
+        at_ += 2;
+        if (--depth == 0) break;
+      } else {
+        ++at_;
+      }
+    }
+    if (depth > 0)
+      sink_.report(Syntax::IecText,
+                   source_.span(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(first) + 2),
+                   "the comment has no end");
+    std::string_view inner = text_.substr(first + 2, at_ - first - 2);
+    while (!inner.empty()) {
+      const std::size_t end = std::min(inner.find('\n'), inner.size());
+      std::string_view line = trimmed(inner.substr(0, end));
+      if (line.ends_with(close)) line = trimmed(line.substr(0, line.size() - 2));
+      comment(line);
+      inner.remove_prefix(std::min(end + 1, inner.size()));
+    }
+  }
+  void comment(std::string_view line) {
+    const auto directive = directiveText(line);
+    if (!directive) return;
+    const auto begin = static_cast<std::uint32_t>(line.data() - text_.data());
+    directives_.push_back(
+        {std::string(*directive), source_.span(begin, begin + static_cast<std::uint32_t>(line.size())), -1, 0});
+  }
+
+  IecToken token(TokenKind kind, std::size_t first) const {
+    return {
+        kind, text_.substr(first, at_ - first), {}, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(at_)};
+  }
+
+  IecToken next() {
+    const std::size_t first = at_;
+    const char c = text_[at_];
+    if (c == '\'' || c == '"') return quotation(c);
+    if (c == '%') {
+      ++at_;
+      while (at_ < text_.size() && (isNamePart(text_[at_]) || text_[at_] == '*' || isPoint())) ++at_;
+      return token(TokenKind::Address, first);
+    }
+    if (isDigitOf(c)) return number();
+    if (startsName(c)) return word();
+    static constexpr std::string_view pairs[] = {":=", "=>", "<=", ">=", "<>", "**", ".."};
+    for (const std::string_view pair : pairs) {
+      if (!sees(pair)) continue;
+      at_ += 2;
+      return token(TokenKind::Punctuation, first);
+    }
+    ++at_;
+    return token(TokenKind::Punctuation, first);
+  }
+  /// A point between digits: not the two of a range.
+  bool isPoint() const { return text_[at_] == '.' && at_ + 1 < text_.size() && isDigitOf(text_[at_ + 1]); }
+
+  IecToken word() {
+    const std::size_t first = at_;
+    while (at_ < text_.size() && isNamePart(text_[at_])) ++at_;
+    if (at_ >= text_.size() || text_[at_] != '#') return token(TokenKind::Word, first);
+    const std::string_view prefix = text_.substr(first, at_ - first);
+    ++at_;
+    const std::size_t value = at_;
+    if (at_ < text_.size() && (text_[at_] == '-' || text_[at_] == '+')) ++at_;
+    while (at_ < text_.size() && (isNamePart(text_[at_]) || text_[at_] == '#' || isPoint() || isDateMark())) ++at_;
+    IecToken made = token(TokenKind::Number, value);
+    made.prefix = prefix;
+    made.begin = static_cast<std::uint32_t>(first);
+    return made;
+  }
+  /// - and : within dates and times of day.
+  bool isDateMark() const {
+    return (text_[at_] == '-' || text_[at_] == ':') && at_ + 1 < text_.size() && isDigitOf(text_[at_ + 1]) &&
+           isDigitOf(text_[at_ - 1]);
+  }
+
+  IecToken number() {
+    const std::size_t first = at_;
+    const auto digits = [&] {
+      while (at_ < text_.size() && (isDigitOf(text_[at_]) || text_[at_] == '_')) ++at_;
+    };
+    digits();
+    if (at_ < text_.size() && text_[at_] == '#') {
+      ++at_;
+      while (at_ < text_.size() && (std::isxdigit(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '_'))
+        ++at_;
+      return token(TokenKind::Number, first);
+    }
+    if (isFraction()) {
+      ++at_;
+      digits();
+    }
+    if (at_ < text_.size() && (text_[at_] == 'e' || text_[at_] == 'E')) {
+      std::size_t exponent = at_ + 1;
+      if (exponent < text_.size() && (text_[exponent] == '+' || text_[exponent] == '-')) ++exponent;
+      if (exponent < text_.size() && isDigitOf(text_[exponent])) {
+        at_ = exponent;
+        digits();
+      }
+    }
+    return token(TokenKind::Number, first);
+  }
+  bool isFraction() const { return at_ < text_.size() && isPoint(); }
+
+  IecToken quotation(char mark) {
+    const std::size_t first = at_++;
+    while (at_ < text_.size() && text_[at_] != mark && text_[at_] != '\n') at_ += text_[at_] == '$' ? 2 : 1;
+    at_ = std::min(at_, text_.size());
+    if (at_ < text_.size() && text_[at_] == mark) {
+      ++at_;
+    } else {
+      sink_.report(Syntax::IecText,
+                   source_.span(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(first) + 1),
+                   "the text has no closing mark");
+    }
+    return token(TokenKind::Text, first);
+  }
+
+  const SourceText& source_;
+  std::string_view text_;
+  SyntaxSink& sink_;
+  std::vector<Directive>& directives_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+std::vector<IecToken> tokensOf(const SourceText& source, SyntaxSink& sink, std::vector<Directive>& directives) {
+  return IecLexer(source, sink, directives).run();
+}
+
+}  // namespace rungproof::iec

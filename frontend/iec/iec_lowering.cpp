@@ -1,0 +1,509 @@
+// Projects: variables and their places, instances, routines, the entry block.
+#include "frontend/iec/iec_lowering.hpp"
+
+#include "ir/iec/cpu.hpp"
+#include "ir/iec/dialect.hpp"
+#include "ir/s7200/cpu.hpp"
+
+namespace rungproof::iec {
+
+Lowering::Lowering(Program& program, const ProjectSyntax& project, std::uint32_t file)
+    : program_(program), project_(project), sink_(program, file), types_(project, sink_) {
+  for (const BlockSyntax& block : project.blocks) {
+    if (!blocks_.emplace(foldedName(block.name), &block).second)
+      error(Syntax::BlockTwice, block.span, fmt::format("two blocks are named {}", excerpt(block.name)));
+  }
+}
+
+void Lowering::error(Syntax code, Span span, std::string message) { sink_.report(code, span, std::move(message)); }
+
+void Lowering::refuse(Span span, std::string message, Syntax code) {
+  error(code, span, std::move(message));
+  throw Refused{};
+}
+
+std::uint32_t Lowering::allocate(std::uint32_t bytes) {
+  const std::uint32_t offset = next_;
+  if (bytes > mostBytes - next_) throw Refused{};
+  next_ += bytes;
+  initial_.resize(next_);
+  return offset;
+}
+
+void Lowering::run() {
+  declareGlobals();
+  makePrograms();
+  program_.target = Target(static_cast<Cpu>(firstIecCpu), Edition::Iec);
+  chooseMachine();
+  nameVariables();
+  freeUnwrittenGlobals();
+  freeNamedVariables();
+  nameOperands();
+  program_.data.push_back({0, initial_, {}});
+  for (const Directive& directive : project_.directives) program_.directives.push_back(directive);
+}
+
+void Lowering::declareGlobals() {
+  for (const VariableSyntax& variable : project_.globals) {
+    try {
+      const auto [at, isNew] = globals_.emplace(foldedName(variable.name), makeVariable(variable, ""));
+      if (!isNew)
+        error(Syntax::IecName, variable.span, fmt::format("two global variables are named {}", excerpt(variable.name)));
+      if (at->second.constant) types_.constants[at->first] = *at->second.constant;
+    } catch (const Refused&) {
+    }
+  }
+}
+
+/// The place of an address; the same address is the same place. Nothing if it is none.
+std::optional<std::uint32_t> Lowering::located(const VariableSyntax& syntax, const Type& type) {
+  const std::string address = foldedName(syntax.address);
+  const bool isLegal = address.size() >= 3 && (address[1] == 'I' || address[1] == 'Q' || address[1] == 'M');
+  if (!isLegal) return std::nullopt;
+  const bool isIncomplete = address.find('*') != std::string::npos;
+  const bool hasSize =
+      address[2] == 'X' || address[2] == 'B' || address[2] == 'W' || address[2] == 'D' || address[2] == 'L';
+  const std::string key = isIncomplete ? fmt::format("{}{}", address, places_.size())
+                          : hasSize    ? address
+                                       : fmt::format("{}X{}", address.substr(0, 2), address.substr(2));
+  const auto [at, isNew] = places_.emplace(key, next_);
+  if (!isNew) return at->second;
+  at->second = allocate(type.bytes);
+  if (!isIncomplete) {
+    addressNames_.emplace_back(key.substr(1), at->second);
+    if (key[2] == 'X') addressNames_.emplace_back(key.substr(1, 1) + key.substr(3), at->second);
+  }
+  if (address[1] == 'I') freeVariable(type, at->second, syntax.span);
+  return at->second;
+}
+
+Variable Lowering::makeVariable(const VariableSyntax& syntax, const std::string& path) {
+  if (syntax.edge != EdgeOf::None)
+    refuse(syntax.span, "R_EDGE and F_EDGE are not modelled: call R_TRIG or F_TRIG", Syntax::IecNotModelled);
+  if (syntax.isRetain) {
+    const std::uint32_t first = next_;
+    VariableSyntax plain = syntax;
+    plain.isRetain = false;
+    Variable kept = makeVariable(plain, path);
+    kept.declared = &syntax;
+    if (next_ > first) program_.retained.emplace_back(first, next_ - 1);
+    return kept;
+  }
+  Variable made;
+  made.declared = &syntax;
+  made.type = types_.resolve(*syntax.type);
+  if (made.type == nullptr) throw Refused{};
+  const Initial* initial = syntax.initial != nullptr ? syntax.initial.get() : made.type->initial;
+  const std::string full = path.empty() ? syntax.name : path + "." + syntax.name;
+  if (made.type->kind == Kind::Block) {
+    made.instance = makeInstance(*made.type->block, full);
+    if (initial != nullptr && initial->isStructure) {
+      for (const auto& [field, value] : initial->fields) {
+        const auto member = made.instance->names.find(foldedName(field));
+        if (member == made.instance->names.end())
+          refuse(value.span, fmt::format("block {} has no variable {}", made.type->name, excerpt(field)),
+                 Syntax::IecName);
+        initialize(*member->second.type, member->second.offset, &value);
+        const auto preset = value.value != nullptr ? types_.integer(*value.value) : std::nullopt;
+        if (foldedName(field) == "PT" && made.instance->longestPreset)
+          made.instance->longestPreset =
+              preset ? std::optional(std::max(*made.instance->longestPreset, *preset)) : std::nullopt;
+      }
+    }
+    return made;
+  }
+  if (made.type->kind == Kind::Array && made.type->element->kind == Kind::Block) {
+    const auto& [low, high] = made.type->bounds[0];
+    if (made.type->bounds.size() != 1 || high - low > 1000)
+      refuse(syntax.span, "such an array of blocks is not modelled", Syntax::IecNotModelled);
+    for (std::int64_t i = low; i <= high; ++i)
+      made.elements.push_back(makeInstance(*made.type->element->block, fmt::format("{}[{}]", full, i)));
+    return made;
+  }
+  if (syntax.isConstant && initial != nullptr && initial->value != nullptr && made.type->isValue()) {
+    made.constant = types_.constant(*initial->value);
+    if (!made.constant) refuse(initial->span, "the value of a constant is no constant expression");
+    if (made.constant->type == nullptr && !made.constant->isReal)
+      made.constant->type = made.type->kind == Kind::Real ? nullptr : made.type;
+    return made;
+  }
+  if (!syntax.address.empty()) {
+    const auto offset = located(syntax, *made.type);
+    if (!offset) refuse(syntax.span, fmt::format("{} is no address", excerpt(syntax.address)));
+    made.offset = *offset;
+  } else {
+    made.offset = allocate(made.type->bytes);
+  }
+  initialize(*made.type, made.offset, initial);
+  return made;
+}
+
+void Lowering::initialize(const Type& type, std::uint32_t offset, const Initial* initial) {
+  if (initial == nullptr) initial = type.initial;
+  if (type.kind == Kind::Array) {
+    std::uint32_t at = offset;
+    const std::uint32_t size = type.element->bytes;
+    std::vector<const Initial*> given;
+    for (std::size_t i = 0; initial != nullptr && i < initial->row.size(); ++i) {
+      for (std::uint32_t k = 0; k < initial->row[i].first && given.size() * size < type.bytes; ++k)
+        given.push_back(&initial->row[i].second);
+    }
+    for (std::size_t i = 0; size > 0 && i < type.bytes / size; ++i, at += size)
+      initialize(*type.element, at, i < given.size() ? given[i] : nullptr);
+    return;
+  }
+  if (type.kind == Kind::Struct) {
+    for (const Field& field : type.fields) {
+      const Initial* own = field.declared->initial.get();
+      if (initial != nullptr) {
+        for (const auto& [name, value] : initial->fields) {
+          if (foldedName(name) == foldedName(field.name)) own = &value;
+        }
+      }
+      initialize(*field.type, offset + field.offset, own);
+    }
+    return;
+  }
+  if (!type.isValue()) return;
+  if (initial == nullptr || initial->value == nullptr) {
+    if (type.low > 0 || type.high < 0)
+      writeInitial(type, offset, {&type, type.low});
+    else if (type.kind == Kind::Enum && !type.items.empty())
+      writeInitial(type, offset, {&type, type.items[0].second});
+    return;
+  }
+  const auto value = types_.constant(*initial->value);
+  if (!value) refuse(initial->span, "an initial value is a constant");
+  if (type.kind == Kind::Time && value->type == nullptr && value->number != 0)
+    refuse(initial->span, "a duration is written T#5s");
+  writeInitial(type, offset, *value);
+}
+
+void Lowering::writeInitial(const Type& type, std::uint32_t offset, const Value& value) {
+  std::uint64_t bits = static_cast<std::uint64_t>(value.number);
+  if (type.kind == Kind::Real && !value.isReal && (value.type == nullptr || value.type->kind != Kind::Real))
+    bits = std::bit_cast<std::uint32_t>(static_cast<float>(value.number));
+  for (std::uint32_t i = 0; i < type.bytes; ++i)
+    initial_[offset + i] = static_cast<std::uint8_t>(bits >> (8 * (type.bytes - 1 - i)));
+}
+
+BlockInstance* Lowering::makeInstance(const BlockSyntax& block, std::string path) {
+  if (++depth_ > 32) {
+    --depth_;
+    refuse(block.span, fmt::format("instances of {} contain each other", block.name));
+  }
+  BlockInstance& made = instances_.emplace_back();
+  made.block = &block;
+  made.path = std::move(path);
+  for (const VariableSyntax& variable : block.variables) {
+    const std::string name = foldedName(variable.name);
+    try {
+      if (variable.section == Section::External) {
+        const auto global = globals_.find(name);
+        if (global == globals_.end()) {
+          Variable& own = made.names[name] = makeVariable(variable, made.path);
+          freeVariable(*own.type, own.offset, variable.span);
+        } else {
+          made.names[name] = global->second;
+        }
+        continue;
+      }
+      if (variable.section == Section::InOut) {
+        made.hasInOut = true;
+        Variable& formal = made.names[name];
+        formal.type = types_.resolve(*variable.type);
+        formal.declared = &variable;
+        if (formal.type == nullptr) throw Refused{};
+        continue;
+      }
+      if (!made.names.emplace(name, makeVariable(variable, made.path)).second)
+        error(Syntax::IecName, variable.span, fmt::format("two variables are named {}", excerpt(variable.name)));
+    } catch (const Refused&) {
+    }
+  }
+  if (block.kind == BlockKind::Function && block.result != nullptr) {
+    Variable& result = made.names[foldedName(block.name)];
+    result.type = types_.resolve(*block.result);
+    if (result.type != nullptr) result.offset = allocate(result.type->bytes);
+  }
+  const std::string name = foldedName(block.name);
+  if (block.isLibrary && (name == "TON" || name == "TOF" || name == "TP")) timers_.push_back(&made);
+  --depth_;
+  return &made;
+}
+
+BlockInstance* Lowering::functionNamed(const std::string& name) {
+  const auto block = blocks_.find(name);
+  if (block == blocks_.end() || block->second->kind != BlockKind::Function) return nullptr;
+  BlockInstance*& made = functions_[name];
+  if (made == nullptr) made = makeInstance(*block->second, block->second->name);
+  const auto result = made->names.find(name);
+  if (result == made->names.end() || result->second.type == nullptr) throw Refused{};
+  return made;
+}
+
+/// Located inputs, inputs of programs: any value in any scan.
+void Lowering::freeVariable(const Type& type, std::uint32_t offset, Span span) {
+  if (type.bytes == 0) return;
+  freed_.push_back({offset, type.bytes, span});
+}
+
+/// A directive for each value: reports name what is free.
+void Lowering::freeNamedVariables() {
+  std::set<std::uint32_t> seen;
+  for (const Symbol& symbol : program_.symbols) {
+    const std::uint32_t offset = symbol.address.offset;
+    const auto range =
+        std::ranges::find_if(freed_, [&](const Freed& f) { return f.offset <= offset && offset < f.offset + f.bytes; });
+    if (range == freed_.end() || !seen.insert(offset).second) continue;
+    program_.directives.push_back({"external " + symbol.name, range->span, -1, 0});
+  }
+}
+
+/// Globals that nobody writes and that have no initial value: a panel or another configuration writes them.
+void Lowering::freeUnwrittenGlobals() {
+  for (const auto& [name, variable] : globals_) {
+    if (variable.type == nullptr || variable.constant || variable.instance != nullptr || !variable.elements.empty() ||
+        variable.declared == nullptr || variable.declared->initial != nullptr)
+      continue;
+    const bool isOutput = variable.declared->address.size() > 1 && variable.declared->address[1] == 'Q';
+    bool isWritten = isOutput;
+    for (std::uint32_t i = variable.offset; i < variable.offset + variable.type->bytes && i < isWritten_.size(); ++i)
+      isWritten = isWritten || isWritten_[i] != 0;
+    if (!isWritten) freeVariable(*variable.type, variable.offset, variable.declared->span);
+  }
+}
+
+void Lowering::checkTasks(const std::vector<const InstanceSyntax*>& instances) {
+  std::optional<std::int64_t> interval;
+  for (const InstanceSyntax* instance : instances) {
+    const auto task = std::ranges::find_if(
+        project_.tasks, [&](const TaskSyntax& t) { return foldedName(t.name) == foldedName(instance->task); });
+    if (instance->task.empty() || task == project_.tasks.end()) continue;
+    if (task->isSingle) error(Syntax::IecNotModelled, task->span, "tasks that an event starts are not modelled");
+    if (task->intervalMs && interval && *interval != *task->intervalMs)
+      error(Syntax::IecNotModelled, task->span, "tasks of different intervals are not modelled");
+    if (task->intervalMs) interval = task->intervalMs;
+  }
+  if (interval) program_.taskMs = static_cast<std::uint32_t>(*interval);
+}
+
+/// The instances that the configuration names; without one every program once; of blocks alone the only one.
+void Lowering::makePrograms() {
+  std::vector<const InstanceSyntax*> named;
+  for (const InstanceSyntax& instance : project_.instances) named.push_back(&instance);
+  checkTasks(named);
+  const auto add = [&](const BlockSyntax& block, const std::string& path, const InstanceSyntax* instance) {
+    BlockInstance* made = makeInstance(block, path);
+    programs_.push_back(made);
+    for (const VariableSyntax& variable : block.variables) {
+      const bool isInput = variable.section == Section::Input || variable.section == Section::InOut;
+      const auto found = made->names.find(foldedName(variable.name));
+      if (!isInput || found == made->names.end() || found->second.type == nullptr) continue;
+      if (variable.section == Section::InOut) {  // nobody connects it: a variable of its own
+        try {
+          found->second.offset = allocate(found->second.type->bytes);
+        } catch (const Refused&) {
+        }
+        made->hasInOut = false;
+      }
+      if (variable.address.empty()) freeVariable(*found->second.type, found->second.offset, variable.span);
+    }
+    if (instance != nullptr && !instance->connections.empty())
+      error(Syntax::IecNotModelled, instance->span, "connections of a program instance are not modelled");
+  };
+  for (const InstanceSyntax* instance : named) {
+    const auto block = blocks_.find(foldedName(instance->type));
+    if (block == blocks_.end() || block->second->kind != BlockKind::Program) {
+      error(Syntax::IecName, instance->span, fmt::format("there is no program {}", excerpt(instance->type)));
+      continue;
+    }
+    add(*block->second, instance->name, instance);
+  }
+  if (named.empty()) {
+    for (const BlockSyntax& block : project_.blocks) {
+      if (block.kind == BlockKind::Program) add(block, block.name, nullptr);
+    }
+  }
+  std::vector<const BlockSyntax*> own;
+  for (const BlockSyntax& block : project_.blocks) {
+    if (block.kind == BlockKind::FunctionBlock && !block.isLibrary) own.push_back(&block);
+  }
+  if (programs_.empty() && own.size() == 1) add(*own[0], own[0]->name, nullptr);
+  if (programs_.empty()) {
+    const Span place = project_.blocks.empty() ? Span{} : project_.blocks[0].span;
+    return error(Syntax::IecNoProgram, place, "no program is there that could run");
+  }
+  const std::vector<BlockInstance*> all = programs_;
+  for (BlockInstance* program : all) makeRoutine(*program);
+  makeMain(all);
+  // A block that nobody calls is made once, so that it is checked.
+  for (const BlockSyntax& block : project_.blocks) {
+    const bool isCalled = std::ranges::any_of(instances_, [&](const BlockInstance& instance) {
+      return instance.block == &block && (instance.routine >= 0 || instance.isCalled);
+    });
+    if (block.isLibrary || isCalled || block.kind == BlockKind::Program) continue;
+    try {
+      BlockInstance* made =
+          block.kind == BlockKind::Function ? functionNamed(foldedName(block.name)) : makeInstance(block, block.name);
+      if (made == nullptr) continue;
+      for (const VariableSyntax& variable : block.variables) {
+        const auto found = made->names.find(foldedName(variable.name));
+        if (variable.section != Section::InOut || found == made->names.end() || found->second.type == nullptr) continue;
+        found->second.offset = allocate(found->second.type->bytes);
+      }
+      makeRoutine(*made);
+    } catch (const Refused&) {
+    }
+  }
+}
+
+/// Locals of functions and VAR_TEMP begin anew in every call.
+void Lowering::freshLocals(Scope& scope) {
+  const BlockSyntax& block = *scope.self->block;
+  const bool isFunction = block.kind == BlockKind::Function;
+  const auto fresh = [&](auto&& self, const Type& type, std::uint32_t offset) -> void {
+    if (type.isValue()) {
+      std::int64_t value = 0;
+      for (std::uint32_t i = 0; i < type.bytes; ++i) value = value << 8 | initial_[offset + i];
+      constant(value, type.width);
+      return store(type, offset);
+    }
+    if (type.kind == Kind::Struct) {
+      for (const Field& field : type.fields) self(self, *field.type, offset + field.offset);
+    } else if (type.kind == Kind::Array && type.element->bytes > 0) {
+      if (type.bytes / type.element->bytes > 1000)
+        refuse(block.span, "a temporary array of such a length is not modelled", Syntax::IecNotModelled);
+      for (std::uint32_t at = 0; at < type.bytes; at += type.element->bytes) self(self, *type.element, offset + at);
+    }
+  };
+  for (const VariableSyntax& variable : block.variables) {
+    const bool isFresh = variable.section == Section::Temp ||
+                         (isFunction && (variable.section == Section::Local || variable.section == Section::Output));
+    const auto found = scope.self->names.find(foldedName(variable.name));
+    if (!isFresh || found == scope.self->names.end() || found->second.type == nullptr || found->second.constant)
+      continue;
+    fresh(fresh, *found->second.type, found->second.offset);
+  }
+  if (isFunction) {
+    const Variable& result = scope.self->names.at(foldedName(block.name));
+    if (result.type != nullptr) fresh(fresh, *result.type, result.offset);
+  }
+}
+
+/// All that a statement may write which was not lowered; nothing: it may write anything.
+std::optional<Operands> Lowering::writtenBy(Scope& scope, const Statement& one) {
+  if (one.kind != StatementKind::Assign || calls(*one.value)) return std::nullopt;
+  const std::size_t before = program_.findings.size();
+  std::optional<Operands> written;
+  try {
+    const Reference target = reference(scope, *one.target);
+    if (target.indices.empty() && target.type->isValue() && !target.constant) {
+      Operands& places = written.emplace();
+      for (std::uint32_t i = 0; i < target.type->bytes; ++i)
+        places.push_back(direct(Area::V, Width::Byte, target.offset + i));
+    }
+  } catch (const Refused&) {
+    program_.findings.resize(before);
+  }
+  return written;
+}
+
+void Lowering::makeRoutine(BlockInstance& instance) {
+  Network* const outer = network_;
+  const int labels = std::exchange(nextLabel_, 0);
+  auto constants = types_.constants;
+  for (const auto& [name, variable] : instance.names) {
+    if (variable.constant) types_.constants[name] = *variable.constant;
+  }
+  instance.routine = nextRoutine_++;
+  instance.isOpen = true;
+  Pou pou;
+  pou.kind = PouKind::Subroutine;
+  pou.name = instance.path;
+  pou.number = instance.routine;
+  pou.span = instance.block->span;
+  pou.isBuiltIn = instance.block->isLibrary;
+  pou.isInstance = true;
+  Scope scope;
+  scope.self = &instance;
+  const auto write = [&](Span span, auto&& make) {
+    Network network;
+    network.number = static_cast<int>(pou.networks.size()) + 1;
+    network.span = span;
+    network_ = &network;
+    sink_.setPlace(pou.name, network.number);
+    try {
+      make();
+    } catch (const Refused&) {
+      network.instructions.clear();
+      network.complete = false;
+    }
+    sink_.setPlace("", 0);
+    if (!network.complete || !network.instructions.empty()) pou.networks.push_back(std::move(network));
+  };
+  write(instance.block->span, [&] {
+    if (!instance.block->isWhole) throw Refused{};
+    freshLocals(scope);
+  });
+  if (!instance.block->unread.empty()) {
+    write(instance.block->span, [&] {
+      refuse(instance.block->span,
+             fmt::format("the body of {} is written in {}, which is not read yet", instance.block->name,
+                         instance.block->unread),
+             Syntax::IecNotModelled);
+    });
+  }
+  for (const Statement& one : instance.block->body) {
+    write(one.span, [&] { statement(scope, one); });
+    if (!pou.networks.empty() && !pou.networks.back().complete) pou.networks.back().mayWrite = writtenBy(scope, one);
+  }
+  instance.isOpen = false;
+  program_.pous.push_back(std::move(pou));
+  network_ = outer;
+  nextLabel_ = labels;
+  types_.constants = std::move(constants);
+}
+
+/// Time passes for the timers, then the programs run in their order.
+void Lowering::makeMain(const std::vector<BlockInstance*>& programs) {
+  Pou pou;
+  pou.kind = PouKind::Main;
+  pou.name = "CYCLE";
+  pou.isBuiltIn = true;
+  pou.span = programs[0]->block->span;
+  Network network;
+  network.number = 1;
+  network.span = {pou.span.file, pou.span.offset, 0};
+  network_ = &network;
+  for (const BlockInstance* timer : timers_) {
+    if (!timer->isCalled) continue;
+    emit("PASS");
+    last().operands.push_back(direct(Area::V, Width::Byte, timer->names.at("STATE").offset));
+    last().operands.push_back(direct(Area::V, Width::DWord, timer->names.at("ELAPSED").offset));
+    last().operands.push_back(
+        rungproof::constant(std::max<std::int64_t>(timer->longestPreset.value_or(0x7FFFFFFF), 1)));
+  }
+  for (const BlockInstance* program : programs) emit("CAL", {program->routine});
+  pou.networks.push_back(std::move(network));
+  network_ = nullptr;
+  program_.pous.insert(program_.pous.begin(), std::move(pou));
+}
+
+/// The smallest that holds all variables.
+void Lowering::chooseMachine() {
+  for (std::size_t i = 0; i < cpu_rows::iec.size(); ++i) {
+    program_.target = Target(static_cast<Cpu>(firstIecCpu + i), Edition::Iec);
+    if (cpu_rows::iec[i].bytes >= next_) return;
+  }
+  error(Syntax::IecNotModelled, Span{sink_.file(), 0, 0}, "the variables take more than a million bytes");
+}
+
+void buildIecProgram(Program& program, ProjectSyntax& project) {
+  if (project.isEmpty()) return;
+  const std::uint32_t file = project.blocks.empty() ? 0 : project.blocks[0].span.file;
+  addStandardBlocks(program, project);
+  Lowering(program, project, file).run();
+}
+
+}  // namespace rungproof::iec

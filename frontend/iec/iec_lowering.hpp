@@ -1,0 +1,199 @@
+// From the syntax tree to a program of the IEC machine. Every variable of every instance gets a place of its own, every
+// instance of a block a routine of its own: nothing is addressed indirectly but elements of arrays. Blocks with IN_OUT
+// are written out where they are called, because these stand for variables of the caller.
+// Tested by tests/iec.
+#pragma once
+
+#include <set>
+
+#include "frontend/iec/iec_types.hpp"
+#include "ir/check.hpp"
+#include "ir/s7200/choices.hpp"
+
+namespace rungproof::iec {
+
+struct BlockInstance;
+
+/// What a name stands for.
+struct Variable {
+  const Type* type = nullptr;
+  std::uint32_t offset = 0;
+  std::optional<Value> constant;
+  BlockInstance* instance = nullptr;     ///< type is Kind::Block
+  std::vector<BlockInstance*> elements;  ///< an array of blocks
+  const VariableSyntax* declared = nullptr;
+};
+
+/// A block with its own variables. Of a function there is one.
+struct BlockInstance {
+  const BlockSyntax* block = nullptr;
+  std::string path;  ///< "MAIN.T1"
+  std::map<std::string, Variable> names;
+  int routine = -1;     ///< number of its subroutine; -1: not made
+  bool isOpen = false;  ///< its body is being made
+  bool hasInOut = false;
+  /// Of a timer: the greatest PT that is given, as far as only constants are; nothing: any.
+  std::optional<std::int64_t> longestPreset = 0;
+  bool isCalled = false;
+};
+
+/// A place: a variable, or elements of it by computed indices.
+struct Reference {
+  const Type* type = nullptr;
+  std::uint32_t offset = 0;
+  struct Index {
+    const Expr* index;
+    std::int64_t low;
+    std::uint32_t count, stride;
+  };
+  std::vector<Index> indices;  ///< computed ones
+  std::optional<std::uint32_t> bit;
+  std::optional<Value> constant;
+  BlockInstance* instance = nullptr;
+  const VariableSyntax* declared = nullptr;
+  BlockInstance* owner = nullptr;  ///< the instance whose variable it is
+};
+
+class Lowering {
+ public:
+  Lowering(Program& program, const ProjectSyntax& project, std::uint32_t file);
+  void run();
+
+ private:
+  /// Thrown where a statement cannot be lowered; its network is left out.
+  struct Refused {};
+  /// A block that is being written.
+  struct Scope {
+    BlockInstance* self = nullptr;
+    std::map<std::string, Reference> inOuts;
+    std::vector<std::pair<int, int>> loops;  ///< labels of EXIT and CONTINUE
+    int returnLabel = -1;                    ///< of a body that is written out; -1: RET
+    Scope* caller = nullptr;
+  };
+
+  // iec_lowering.cpp
+  void declareGlobals();
+  void makePrograms();
+  void checkTasks(const std::vector<const InstanceSyntax*>& instances);
+  BlockInstance* makeInstance(const BlockSyntax& block, std::string path);
+  BlockInstance* functionNamed(const std::string& name);
+  Variable makeVariable(const VariableSyntax& syntax, const std::string& path);
+  std::uint32_t allocate(std::uint32_t bytes);
+  void initialize(const Type& type, std::uint32_t offset, const Initial* initial);
+  void writeInitial(const Type& type, std::uint32_t offset, const Value& value);
+  std::optional<std::uint32_t> located(const VariableSyntax& syntax, const Type& type);
+  void nameVariables();
+  void nameOperands();
+  void nameVariable(const std::string& name, const Variable& variable, const std::string& alias);
+  void nameValue(const std::string& name, const Type& type, std::uint32_t offset, const std::string& alias);
+  void freeVariable(const Type& type, std::uint32_t offset, Span span);
+  void freeNamedVariables();
+  void freeUnwrittenGlobals();
+  void makeRoutine(BlockInstance& instance);
+  std::optional<Operands> writtenBy(Scope& scope, const Statement& one);
+  static bool calls(const Expr& expr);
+  void makeMain(const std::vector<BlockInstance*>& programs);
+  void body(Scope& scope, const BlockSyntax& block);
+  void freshLocals(Scope& scope);
+  void chooseMachine();
+  void error(Syntax code, Span span, std::string message);
+  [[noreturn]] void refuse(Span span, std::string message, Syntax code = Syntax::IecType);
+
+  // iec_emission.cpp
+  void emit(std::string_view mnemonic, std::initializer_list<std::int64_t> numbers = {});
+  void emitPlace(std::string_view mnemonic, const Type& type, std::uint32_t offset);
+  void load(const Type& type, std::uint32_t offset);
+  void store(const Type& type, std::uint32_t offset);
+  void constant(std::int64_t value, int width);
+  int newLabel() { return nextLabel_++; }
+  void label(int number) { emit("LBL", {number}); }
+  void jump(int number) { emit("JMP", {number}); }
+  void jumpIfFalse(int number) { emit("JMPCN", {number}); }
+  void readReference(Scope& scope, const Reference& reference);
+  /// The value lies on the stack; `prepare` has pushed the index before it.
+  void prepareWrite(Scope& scope, const Reference& reference);
+  void writeReference(Scope& scope, const Reference& reference);
+  void pushIndex(Scope& scope, const Reference& reference);
+  void element(std::string_view mnemonic, const Reference& reference);
+  void copy(Scope& scope, const Reference& from, const Reference& to);
+  Instruction& last() { return network_->instructions.back(); }
+
+  // iec_statements.cpp
+  void statements(Scope& scope, const Statements& list);
+  void statement(Scope& scope, const Statement& statement);
+  void assign(Scope& scope, const Statement& statement);
+  void branches(Scope& scope, const Statement& statement);
+  void caseOf(Scope& scope, const Statement& statement);
+  void caseLabel(const CaseLabel& label, const Type& type, std::uint32_t selector);
+  void forLoop(Scope& scope, const Statement& statement);
+  void callStatement(Scope& scope, const Expr& call);
+  void callInstance(Scope& scope, BlockInstance& instance, const Expr& call);
+  void bindInputs(Scope& scope, BlockInstance& instance, const Expr& call, Scope& inner);
+  void readOutputs(Scope& scope, BlockInstance& instance, const Expr& call);
+  void runBody(Scope& scope, BlockInstance& instance, Scope& inner, Span span);
+
+  // iec_expressions.cpp
+  Reference reference(Scope& scope, const Expr& path, bool mayBeMissing = false);
+  const Variable* find(Scope& scope, const std::string& folded, BlockInstance*& owner);
+  void step(Reference& at, const PathPart& part, const Expr& path);
+  void indexStep(Reference& at, const PathPart& part);
+  /// The type without a wish; nullptr: a number literal, which takes any type.
+  const Type* typeOf(Scope& scope, const Expr& expr);
+  const Type* common(const Type* left, const Type* right, const Type* wanted, Span span);
+  /// Pushes the value as a `wanted`; nullptr: as its own type. Gives the type of what was pushed.
+  const Type* value(Scope& scope, const Expr& expr, const Type* wanted);
+  void valueAs(Scope& scope, const Expr& expr, const Type& wanted);
+  void pushValue(const Value& value, const Type& wanted, Span span);
+  void convertImplicitly(const Type& from, const Type& to, Span span);
+  const Type* unary(Scope& scope, const Expr& expr, const Type* wanted);
+  const Type* binary(Scope& scope, const Expr& expr, const Type* wanted);
+  void operate(const std::string& op, const Type& type, Span span);
+  void logicWithFaults(Scope& scope, const Expr& expr);
+  bool mayFault(const Expr& expr) const;
+
+  // iec_functions.cpp
+  const Type* call(Scope& scope, const Expr& expr, const Type* wanted);
+  const Type* resultOf(Scope& scope, const Expr& expr);
+  const Type* standardResult(Scope& scope, const std::string& name, const Expr& expr);
+  const Type* standardCall(Scope& scope, const std::string& name, const Expr& expr, const Type* wanted);
+  bool isStandard(const std::string& name) const;
+  const Type* ownFunction(Scope& scope, BlockInstance& function, const Expr& expr);
+  const Type* conversion(Scope& scope, const std::string& name, const Expr& expr);
+  void convert(const Type& from, const Type& to, bool cuts, Span span);
+  const Type* ownTypeOf(Scope& scope, const std::vector<const Expr*>& values, Span span);
+  const Type* commonOf(Scope& scope, const std::vector<const Expr*>& values, const Type* wanted, Span span);
+  std::vector<const Expr*> plainArguments(const Expr& expr, std::initializer_list<std::string_view> names) const;
+
+  Program& program_;
+  const ProjectSyntax& project_;
+  SyntaxSink sink_;
+  TypeTable types_;
+  std::deque<BlockInstance> instances_;
+  std::map<std::string, const BlockSyntax*> blocks_;
+  std::map<std::string, BlockInstance*> functions_;
+  std::map<std::string, Variable> globals_;
+  std::vector<BlockInstance*> programs_;
+  std::vector<BlockInstance*> timers_;
+  std::map<std::string, std::uint32_t> places_;  ///< by address in capitals
+  std::vector<std::pair<std::string, std::uint32_t>> addressNames_;
+  struct Freed {
+    std::uint32_t offset, bytes;
+    Span span;
+  };
+  std::vector<Freed> freed_;  ///< located inputs, inputs of programs, globals that nobody writes
+  std::vector<std::uint8_t> initial_;
+  std::uint32_t next_ = 0;
+  int nextRoutine_ = 0;
+  int nextLabel_ = 0;
+  int depth_ = 0;
+  Network* network_ = nullptr;
+  std::vector<std::uint8_t> isWritten_;  ///< by byte
+  static constexpr std::uint32_t mostBytes = 1U << 20;
+};
+
+/// Makes the program of everything that the files hold.
+void buildIecProgram(Program& program, ProjectSyntax& project);
+/// Appends the blocks of the standard that the project does not have itself.
+void addStandardBlocks(Program& program, ProjectSyntax& project);
+
+}  // namespace rungproof::iec

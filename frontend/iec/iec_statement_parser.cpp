@@ -1,0 +1,345 @@
+// Statements and expressions of ST. Precedence, tightest first: parentheses, call, unary - and NOT, **, * / MOD, + -,
+// < > <= >=, = <>, & AND, XOR, OR.
+#include "frontend/iec/iec_statement_parser.hpp"
+
+#include <array>
+
+namespace rungproof::iec {
+
+namespace {
+
+using Level = std::array<std::string_view, 4>;
+/// Loosest first.
+constexpr std::array<Level, 8> levels = {
+    {{"OR"}, {"XOR"}, {"AND", "&"}, {"=", "<>"}, {"<", ">", "<=", ">="}, {"+", "-"}, {"*", "/", "MOD"}, {"**"}}};
+
+}  // namespace
+
+Statements StatementParser::wholeBody() {
+  Statements all = statements();
+  while (!isEnd()) {
+    report(fmt::format("'{}' does not belong here", excerpt(peek().text)), peek());
+    take();
+    Statement lost;
+    lost.kind = StatementKind::Unread;
+    lost.span = spanFrom(peek().begin);
+    all.push_back(std::move(lost));
+    for (Statement& more : statements()) all.push_back(std::move(more));
+  }
+  return all;
+}
+
+ExprPtr StatementParser::wholeExpression() {
+  try {
+    ExprPtr made = expression();
+    if (!isEnd()) fail(fmt::format("'{}' does not belong here", excerpt(peek().text)));
+    return made;
+  } catch (const Unreadable&) {
+    return nullptr;
+  }
+}
+
+bool StatementParser::endsStatements() const {
+  if (isEnd()) return true;
+  const IecToken& token = peek();
+  if (token.kind != TokenKind::Word) return false;
+  const std::string word = foldedName(token.text);
+  return word.starts_with("END_") || word == "ELSE" || word == "ELSIF" || word == "UNTIL";
+}
+
+/// A label of CASE begins with a constant and goes on with `:`, `,` or `..`.
+bool StatementParser::isCaseLabel() const {
+  std::size_t i = 0;
+  if (peek().text == "-" || peek().text == "+") ++i;
+  const IecToken& first = peek(i);
+  if (first.kind == TokenKind::Punctuation || first.kind == TokenKind::End) return false;
+  ++i;
+  while (peek(i).text == "." && peek(i + 1).kind == TokenKind::Word) i += 2;
+  const std::string_view next = peek(i).text;
+  return next == ":" || next == "," || next == "..";
+}
+
+Statements StatementParser::statements(bool inCase) {
+  Nesting nesting(*this);
+  Statements all;
+  for (;;) {
+    while (accept(";")) {
+    }
+    if (endsStatements() || (inCase && isCaseLabel())) return all;
+    const std::size_t before = at_;
+    all.push_back(statement());
+    if (at_ == before) take();
+  }
+}
+
+Statement StatementParser::statement() {
+  const std::uint32_t begin = peek().begin;
+  const int depth = depth_;
+  try {
+    Statement made = plain();
+    made.span = spanFrom(begin);
+    if (!accept(";") && !endsStatements()) fail(fmt::format("';' is needed here{}", found()));
+    return made;
+  } catch (const Unreadable&) {
+    depth_ = depth;
+    skipStatement();
+    Statement lost;
+    lost.kind = StatementKind::Unread;
+    lost.span = spanFrom(begin);
+    return lost;
+  }
+}
+
+void StatementParser::skipStatement() {
+  while (!isEnd() && !endsStatements() && !accept(";")) take();
+}
+
+Statement StatementParser::plain() {
+  Statement made;
+  if (accept("IF")) {
+    ifStatement(made);
+  } else if (accept("CASE")) {
+    caseStatement(made);
+  } else if (accept("FOR")) {
+    forStatement(made);
+  } else if (accept("WHILE")) {
+    made.kind = StatementKind::While;
+    made.value = expression();
+    expect("DO");
+    made.otherwise = statements();
+    expect("END_WHILE");
+  } else if (accept("REPEAT")) {
+    made.kind = StatementKind::Repeat;
+    made.otherwise = statements();
+    expect("UNTIL");
+    made.value = expression();
+    accept(";");
+    expect("END_REPEAT");
+  } else if (accept("EXIT")) {
+    made.kind = StatementKind::Exit;
+  } else if (accept("CONTINUE")) {
+    made.kind = StatementKind::Continue;
+  } else if (accept("RETURN")) {
+    made.kind = StatementKind::Return;
+  } else {
+    if (peek().kind != TokenKind::Word && peek().kind != TokenKind::Address)
+      fail(fmt::format("a statement cannot begin with '{}'", excerpt(peek().text)));
+    made.target = path();
+    if (made.target->kind == ExprKind::Call) {
+      made.kind = StatementKind::Call;
+    } else {
+      expect(":=");
+      made.kind = StatementKind::Assign;
+      made.value = expression();
+    }
+  }
+  return made;
+}
+
+void StatementParser::ifStatement(Statement& made) {
+  made.kind = StatementKind::If;
+  do {
+    Branch branch;
+    branch.condition = expression();
+    expect("THEN");
+    branch.body = statements();
+    made.branches.push_back(std::move(branch));
+  } while (accept("ELSIF"));
+  if (accept("ELSE")) {
+    made.hasElse = true;
+    made.otherwise = statements();
+  }
+  expect("END_IF");
+}
+
+void StatementParser::caseStatement(Statement& made) {
+  made.kind = StatementKind::Case;
+  made.value = expression();
+  expect("OF");
+  while (!endsStatements()) {
+    Branch branch;
+    do {
+      CaseLabel label;
+      label.low = expression();
+      if (accept("..")) label.high = expression();
+      branch.labels.push_back(std::move(label));
+    } while (accept(","));
+    expect(":");
+    branch.body = statements(true);
+    made.branches.push_back(std::move(branch));
+  }
+  if (accept("ELSE")) {
+    accept(":");
+    made.hasElse = true;
+    made.otherwise = statements();
+  }
+  expect("END_CASE");
+}
+
+void StatementParser::forStatement(Statement& made) {
+  made.kind = StatementKind::For;
+  made.target = path();
+  expect(":=");
+  made.value = expression();
+  expect("TO");
+  made.last = expression();
+  if (accept("BY")) made.by = expression();
+  expect("DO");
+  made.otherwise = statements();
+  expect("END_FOR");
+}
+
+ExprPtr StatementParser::expression() {
+  Nesting nesting(*this);
+  return binary(0);
+}
+
+/// Operators of one level bind from left to right.
+ExprPtr StatementParser::binary(int level) {
+  if (level == static_cast<int>(levels.size())) return unary();
+  const std::uint32_t begin = peek().begin;
+  ExprPtr left = binary(level + 1);
+  for (;;) {
+    std::string_view found;
+    for (const std::string_view op : levels[static_cast<std::size_t>(level)]) {
+      if (!op.empty() && is(op)) found = op;
+    }
+    if (found.empty()) return left;
+    take();
+    ExprPtr made = std::make_unique<Expr>();
+    made->kind = ExprKind::Binary;
+    made->text = found == "&" ? "AND" : found;
+    made->operands.push_back(std::move(left));
+    made->operands.push_back(binary(level + 1));
+    made->span = spanFrom(begin);
+    left = std::move(made);
+  }
+}
+
+ExprPtr StatementParser::unary() {
+  const std::uint32_t begin = peek().begin;
+  const bool isNot = is("NOT");
+  if (!isNot && !is("-") && !is("+")) return primary();
+  Nesting nesting(*this);
+  const bool isPlus = is("+");
+  take();
+  ExprPtr inner = unary();
+  if (isPlus) return inner;
+  ExprPtr made = std::make_unique<Expr>();
+  made->kind = ExprKind::Unary;
+  made->text = isNot ? "NOT" : "-";
+  made->operands.push_back(std::move(inner));
+  made->span = spanFrom(begin);
+  return made;
+}
+
+ExprPtr StatementParser::primary() {
+  if (accept("(")) {
+    ExprPtr inner = expression();
+    expect(")");
+    return inner;
+  }
+  const IecToken& token = peek();
+  if (token.kind == TokenKind::Number || token.kind == TokenKind::Text || is("TRUE") || is("FALSE")) return literal();
+  if (token.kind == TokenKind::Word || token.kind == TokenKind::Address) return path();
+  fail(fmt::format("a value is needed here{}", found()));
+}
+
+ExprPtr StatementParser::literal() {
+  const IecToken& token = take();
+  ExprPtr made = std::make_unique<Expr>();
+  made->kind = token.kind == TokenKind::Text ? ExprKind::Text : ExprKind::Literal;
+  made->text = token.text;
+  made->prefix = foldedName(token.prefix);
+  made->span = source_.span(token.begin, token.end);
+  return made;
+}
+
+ExprPtr StatementParser::path() {
+  const std::uint32_t begin = peek().begin;
+  ExprPtr made = std::make_unique<Expr>();
+  made->kind = ExprKind::Path;
+  const IecToken& first = take();
+  made->parts.push_back({PathPart::Kind::Name, std::string(first.text), {}, 0, source_.span(first.begin, first.end)});
+  for (;;) {
+    if (is("[")) {
+      made->parts.push_back(indexPart());
+    } else if (is(".") && peek(1).kind == TokenKind::Word) {
+      take();
+      const IecToken& part = take();
+      made->parts.push_back({PathPart::Kind::Name, std::string(part.text), {}, 0, source_.span(part.begin, part.end)});
+    } else if (is(".") && (peek(1).kind == TokenKind::Number || peek(1).kind == TokenKind::Address)) {
+      take();
+      const IecToken& part = take();
+      std::string_view digits = part.text;
+      if (part.kind == TokenKind::Address && digits.size() > 2 && (digits[1] == 'X' || digits[1] == 'x'))
+        digits.remove_prefix(2);
+      if (digits.empty() || digits.size() > 2 || digits.find_first_not_of("0123456789") != std::string_view::npos) {
+        report(fmt::format("'.{}' is no bit of a value", excerpt(part.text)), part);
+        throw Unreadable{};
+      }
+      PathPart bit{PathPart::Kind::Bit, {}, {}, 0, source_.span(part.begin, part.end)};
+      for (const char c : digits) bit.bit = bit.bit * 10 + static_cast<std::uint32_t>(c - '0');
+      made->parts.push_back(std::move(bit));
+    } else {
+      break;
+    }
+  }
+  if (is("(")) {
+    made->kind = ExprKind::Call;
+    made->arguments = arguments();
+  }
+  made->span = spanFrom(begin);
+  return made;
+}
+
+PathPart StatementParser::indexPart() {
+  PathPart part{PathPart::Kind::Index, {}, {}, 0, {}};
+  const std::uint32_t begin = peek().begin;
+  expect("[");
+  do part.indices.push_back(expression());
+  while (accept(","));
+  expect("]");
+  part.span = spanFrom(begin);
+  return part;
+}
+
+std::vector<Argument> StatementParser::arguments() {
+  std::vector<Argument> all;
+  expect("(");
+  if (accept(")")) return all;
+  do all.push_back(argument());
+  while (accept(","));
+  expect(")");
+  return all;
+}
+
+Argument StatementParser::argument() {
+  Argument made;
+  const std::uint32_t begin = peek().begin;
+  const bool isNegated = is("NOT") && peek(1).kind == TokenKind::Word && peek(2).text == "=>";
+  if (isNegated) take();
+  if (peek().kind == TokenKind::Word && (peek(1).text == ":=" || peek(1).text == "=>")) {
+    made.name = take().text;
+    made.isOutput = take().text == "=>";
+    made.isNegated = isNegated;
+    if (made.isOutput && (is(",") || is(")"))) {
+      made.span = spanFrom(begin);
+      return made;
+    }
+  }
+  made.value = expression();
+  made.span = spanFrom(begin);
+  return made;
+}
+
+Statements parseBody(const SourceText& source, SyntaxSink& sink, std::vector<Directive>& directives) {
+  return StatementParser(source, sink, directives).wholeBody();
+}
+
+ExprPtr parseExpression(const SourceText& source, SyntaxSink& sink) {
+  std::vector<Directive> none;
+  return StatementParser(source, sink, none).wholeExpression();
+}
+
+}  // namespace rungproof::iec

@@ -1,0 +1,359 @@
+// Statements: assignments, branches, loops, calls of function blocks.
+#include "frontend/iec/iec_lowering.hpp"
+
+namespace rungproof::iec {
+
+void Lowering::statements(Scope& scope, const Statements& list) {
+  for (const Statement& one : list) statement(scope, one);
+}
+
+void Lowering::statement(Scope& scope, const Statement& s) {
+  switch (s.kind) {
+    case StatementKind::Assign: return assign(scope, s);
+    case StatementKind::Call: return callStatement(scope, *s.target);
+    case StatementKind::If: return branches(scope, s);
+    case StatementKind::Case: return caseOf(scope, s);
+    case StatementKind::For: return forLoop(scope, s);
+    case StatementKind::While:
+    case StatementKind::Repeat: {
+      const int begin = newLabel(), test = newLabel(), end = newLabel();
+      scope.loops.emplace_back(end, test);
+      const bool testsFirst = s.kind == StatementKind::While;
+      if (testsFirst) {
+        label(test);
+        valueAs(scope, *s.value, *elementaryType("BOOL"));
+        jumpIfFalse(end);
+        statements(scope, s.otherwise);
+        jump(test);
+      } else {
+        label(begin);
+        statements(scope, s.otherwise);
+        label(test);
+        valueAs(scope, *s.value, *elementaryType("BOOL"));
+        jumpIfFalse(begin);
+      }
+      label(end);
+      scope.loops.pop_back();
+      return;
+    }
+    case StatementKind::Exit:
+    case StatementKind::Continue:
+      if (scope.loops.empty()) refuse(s.span, "EXIT and CONTINUE belong into a loop");
+      return jump(s.kind == StatementKind::Exit ? scope.loops.back().first : scope.loops.back().second);
+    case StatementKind::Return:
+      if (scope.returnLabel >= 0) return jump(scope.returnLabel);
+      return emit("RET");
+    case StatementKind::Unread: throw Refused{};
+  }
+}
+
+void Lowering::assign(Scope& scope, const Statement& s) {
+  if (s.target->kind != ExprKind::Path) refuse(s.target->span, "this is no variable");
+  const Reference target = reference(scope, *s.target);
+  if (target.constant || (target.declared != nullptr && target.declared->isConstant))
+    refuse(s.target->span, fmt::format("{} is a constant", excerpt(s.target->parts[0].name)));
+  if (target.type->kind == Kind::Block) refuse(s.target->span, "an instance cannot be assigned");
+  if (target.type->kind == Kind::Array || target.type->kind == Kind::Struct) {
+    if (s.value->kind != ExprKind::Path) refuse(s.value->span, "only a variable of the same type can be assigned here");
+    const Reference source = reference(scope, *s.value);
+    const bool isSame = source.type == target.type ||
+                        (source.type->name == target.type->name && source.type->kind == Kind::Struct) ||
+                        (source.type->kind == Kind::Array && target.type->kind == Kind::Array &&
+                         source.type->element == target.type->element && source.type->bounds == target.type->bounds);
+    if (!isSame) refuse(s.value->span, fmt::format("{} is no {}", source.type->name, target.type->name));
+    return copy(scope, source, target);
+  }
+  if (target.owner != nullptr && target.owner->block->isLibrary && scope.self != target.owner &&
+      target.declared != nullptr && foldedName(target.declared->name) == "PT") {
+    const auto preset = types_.integer(*s.value);
+    target.owner->longestPreset = preset && target.owner->longestPreset
+                                      ? std::optional(std::max(*target.owner->longestPreset, *preset))
+                                      : std::nullopt;
+  }
+  prepareWrite(scope, target);
+  valueAs(scope, *s.value, target.bit ? *elementaryType("BOOL") : *target.type);
+  writeReference(scope, target);
+}
+
+void Lowering::branches(Scope& scope, const Statement& s) {
+  const int end = newLabel();
+  for (const Branch& branch : s.branches) {
+    const int next = newLabel();
+    valueAs(scope, *branch.condition, *elementaryType("BOOL"));
+    jumpIfFalse(next);
+    statements(scope, branch.body);
+    if (&branch != &s.branches.back() || s.hasElse) jump(end);
+    label(next);
+  }
+  statements(scope, s.otherwise);
+  label(end);
+}
+
+/// The selector is computed once; the first label that fits wins.
+void Lowering::caseOf(Scope& scope, const Statement& s) {
+  const Type* type = value(scope, *s.value, nullptr);
+  if (!type->isNumber())
+    refuse(s.value->span, fmt::format("CASE needs a whole number or an enumeration, not {}", type->name));
+  const std::uint32_t selector = allocate(type->bytes);
+  store(*type, selector);
+  const int end = newLabel();
+  for (const Branch& branch : s.branches) {
+    const int next = newLabel();
+    bool isFirst = true;
+    for (const CaseLabel& one : branch.labels) {
+      caseLabel(one, *type, selector);
+      if (!std::exchange(isFirst, false)) emit("OR", {1});
+    }
+    jumpIfFalse(next);
+    statements(scope, branch.body);
+    jump(end);
+    label(next);
+  }
+  statements(scope, s.otherwise);
+  label(end);
+}
+
+void Lowering::caseLabel(const CaseLabel& one, const Type& type, std::uint32_t selector) {
+  const auto compare = [&](const Expr& expr, const char* op) {
+    const auto known = types_.constant(expr);
+    if (!known || known->isReal) refuse(expr.span, "a label of CASE is a constant");
+    load(type, selector);
+    pushValue(*known, type, expr.span);
+    emit(op, {type.width, type.isSigned ? 1 : 0});
+  };
+  if (one.high == nullptr) return compare(*one.low, "EQ");
+  compare(*one.low, "GE");
+  compare(*one.high, "LE");
+  emit("AND", {1});
+}
+
+/// Limit and step are looked at in each pass.
+void Lowering::forLoop(Scope& scope, const Statement& s) {
+  const Reference counter = reference(scope, *s.target);
+  if (counter.type->kind != Kind::Integer || !counter.indices.empty() || counter.bit || counter.constant)
+    refuse(s.target->span, "FOR counts in a variable of whole numbers");
+  const Type& type = *counter.type;
+  const auto compare = [&](const char* op) {
+    load(type, counter.offset);
+    valueAs(scope, *s.last, type);
+    emit(op, {type.width, type.isSigned ? 1 : 0});
+  };
+  const int test = newLabel(), next = newLabel(), end = newLabel();
+  valueAs(scope, *s.value, type);
+  store(type, counter.offset);
+  label(test);
+  const auto step = s.by != nullptr ? types_.integer(*s.by) : std::optional<std::int64_t>(1);
+  if (step) {
+    compare(*step > 0 ? "LE" : "GE");
+  } else {
+    valueAs(scope, *s.by, type);
+    constant(0, type.width);
+    emit("GT", {type.width, type.isSigned ? 1 : 0});
+    compare("GE");
+    compare("LE");
+    emit("SEL", {1});
+  }
+  jumpIfFalse(end);
+  scope.loops.emplace_back(end, next);
+  statements(scope, s.otherwise);
+  scope.loops.pop_back();
+  label(next);
+  load(type, counter.offset);
+  if (s.by != nullptr) {
+    valueAs(scope, *s.by, type);
+  } else {
+    constant(1, type.width);
+  }
+  emit("ADD", {type.width});
+  store(type, counter.offset);
+  jump(test);
+  label(end);
+}
+
+void Lowering::callStatement(Scope& scope, const Expr& call) {
+  Expr path;
+  path.kind = ExprKind::Path;
+  path.span = call.span;
+  BlockInstance* owner = nullptr;
+  const std::string folded = foldedName(call.parts[0].name);
+  const bool isVariable = scope.inOuts.contains(folded) || find(scope, folded, owner) != nullptr;
+  if (isVariable) {
+    for (const PathPart& part : call.parts) {
+      PathPart& made = path.parts.emplace_back();
+      made.kind = part.kind;
+      made.name = part.name;
+      made.bit = part.bit;
+      made.span = part.span;
+      for (const ExprPtr& index : part.indices) {
+        const auto known = types_.integer(*index);
+        if (!known) refuse(index->span, "an instance in an array needs a constant index");
+        auto literal = std::make_unique<Expr>();
+        literal->text = fmt::format("{}", *known);
+        literal->span = index->span;
+        if (*known < 0) {
+          literal->text = fmt::format("{}", -*known);
+          auto minus = std::make_unique<Expr>();
+          minus->kind = ExprKind::Unary;
+          minus->text = "-";
+          minus->operands.push_back(std::move(literal));
+          literal = std::move(minus);
+        }
+        made.indices.push_back(std::move(literal));
+      }
+    }
+    const Reference at = reference(scope, path);
+    if (at.instance == nullptr) refuse(call.span, fmt::format("{} is no function block", excerpt(call.parts[0].name)));
+    return callInstance(scope, *at.instance, call);
+  }
+  const Type* type = this->call(scope, call, nullptr);
+  if (type != nullptr) {  // the result is not used
+    const std::uint32_t unused = allocate(type->bytes);
+    store(*type, unused);
+  }
+}
+
+/// Inputs, body, outputs; with EN only where it is TRUE.
+void Lowering::callInstance(Scope& scope, BlockInstance& instance, const Expr& call) {
+  const Argument* enable = nullptr;
+  const Argument* enabled = nullptr;
+  for (const Argument& argument : call.arguments) {
+    const std::string name = foldedName(argument.name);
+    const bool isOwn = instance.names.contains(name);
+    if (name == "EN" && !argument.isOutput && !isOwn) enable = &argument;
+    if (name == "ENO" && argument.isOutput && !isOwn) enabled = &argument;
+  }
+  const Type& boolean = *elementaryType("BOOL");
+  const auto tell = [&](bool isEnabled) {
+    if (enabled == nullptr || enabled->value == nullptr) return;
+    const Reference target = reference(scope, *enabled->value);
+    prepareWrite(scope, target);
+    constant(isEnabled != enabled->isNegated ? 1 : 0, 1);
+    writeReference(scope, target);
+  };
+  const int skip = newLabel(), end = newLabel();
+  if (enable != nullptr) {
+    valueAs(scope, *enable->value, boolean);
+    jumpIfFalse(skip);
+  }
+  Scope inner;
+  inner.self = &instance;
+  bindInputs(scope, instance, call, inner);
+  runBody(scope, instance, inner, call.span);
+  readOutputs(scope, instance, call);
+  tell(true);
+  if (enable == nullptr) return;
+  jump(end);
+  label(skip);
+  tell(false);
+  label(end);
+}
+
+void Lowering::bindInputs(Scope& scope, BlockInstance& instance, const Expr& call, Scope& inner) {
+  std::vector<const VariableSyntax*> inputs;
+  for (const VariableSyntax& variable : instance.block->variables) {
+    if (variable.section == Section::Input || variable.section == Section::InOut) inputs.push_back(&variable);
+  }
+  std::size_t position = 0;
+  for (const Argument& argument : call.arguments) {
+    if (argument.isOutput) continue;
+    const std::string name = foldedName(argument.name);
+    if (name == "EN" && !instance.names.contains(name)) continue;
+    const VariableSyntax* formal = nullptr;
+    if (name.empty()) {
+      if (position < inputs.size()) formal = inputs[position++];
+    } else {
+      for (const VariableSyntax* input : inputs) {
+        if (foldedName(input->name) == name) formal = input;
+      }
+    }
+    if (formal == nullptr)
+      refuse(argument.span,
+             fmt::format("block {} has no input {}", instance.block->name,
+                         argument.name.empty() ? std::string("more") : excerpt(argument.name)),
+             Syntax::IecName);
+    const Variable& variable = instance.names.at(foldedName(formal->name));
+    if (formal->section == Section::InOut) {
+      if (argument.value->kind != ExprKind::Path) refuse(argument.span, "IN_OUT needs a variable");
+      const Reference actual = reference(scope, *argument.value);
+      if (!actual.indices.empty() || actual.bit || actual.constant)
+        refuse(argument.span, "IN_OUT with a computed element is not modelled", Syntax::IecNotModelled);
+      if (actual.type != variable.type && actual.type->name != variable.type->name)
+        refuse(argument.span, fmt::format("{} is no {}", actual.type->name, variable.type->name));
+      inner.inOuts[foldedName(formal->name)] = actual;
+      continue;
+    }
+    if (instance.block->isLibrary && foldedName(formal->name) == "PT") {
+      const auto preset = types_.integer(*argument.value);
+      instance.longestPreset =
+          preset && instance.longestPreset ? std::optional(std::max(*instance.longestPreset, *preset)) : std::nullopt;
+    }
+    if (!variable.type->isValue()) {
+      if (argument.value->kind != ExprKind::Path) refuse(argument.span, "a variable is needed here");
+      const Reference actual = reference(scope, *argument.value);
+      if (actual.type != variable.type && actual.type->name != variable.type->name)
+        refuse(argument.span, fmt::format("{} is no {}", actual.type->name, variable.type->name));
+      Reference target;
+      target.type = variable.type;
+      target.offset = variable.offset;
+      copy(scope, actual, target);
+      continue;
+    }
+    valueAs(scope, *argument.value, *variable.type);
+    store(*variable.type, variable.offset);
+  }
+  for (const VariableSyntax* input : inputs) {
+    if (input->section == Section::InOut && !inner.inOuts.contains(foldedName(input->name)))
+      refuse(call.span, fmt::format("IN_OUT {} of {} is not connected", input->name, instance.block->name));
+  }
+}
+
+void Lowering::readOutputs(Scope& scope, BlockInstance& instance, const Expr& call) {
+  for (const Argument& argument : call.arguments) {
+    const std::string name = foldedName(argument.name);
+    if (!argument.isOutput || argument.value == nullptr || (name == "ENO" && !instance.names.contains(name))) continue;
+    const auto found = instance.names.find(name);
+    if (found == instance.names.end())
+      refuse(argument.span, fmt::format("block {} has no output {}", instance.block->name, excerpt(argument.name)),
+             Syntax::IecName);
+    if (argument.value->kind != ExprKind::Path) refuse(argument.span, "an output needs a variable");
+    const Reference target = reference(scope, *argument.value);
+    Reference source;
+    source.type = found->second.type;
+    source.offset = found->second.offset;
+    if (!source.type->isValue()) {
+      copy(scope, source, target);
+      continue;
+    }
+    prepareWrite(scope, target);
+    load(*source.type, source.offset);
+    if (argument.isNegated) emit("NOT", {source.type->width});
+    convertImplicitly(*source.type, target.bit ? *elementaryType("BOOL") : *target.type, argument.span);
+    writeReference(scope, target);
+  }
+}
+
+void Lowering::runBody(Scope& scope, BlockInstance& instance, Scope& inner, Span span) {
+  instance.isCalled = true;
+  if (instance.isOpen) refuse(span, fmt::format("{} calls itself", instance.block->name));
+  if (!instance.hasInOut) {
+    if (instance.routine < 0) makeRoutine(instance);
+    return emit("CAL", {instance.routine});
+  }
+  if (++depth_ > 32) refuse(span, "calls are nested too deeply");
+  inner.caller = &scope;
+  inner.returnLabel = newLabel();
+  instance.isOpen = true;
+  try {
+    freshLocals(inner);
+    statements(inner, instance.block->body);
+  } catch (const Refused&) {
+    instance.isOpen = false;
+    --depth_;
+    throw;
+  }
+  instance.isOpen = false;
+  --depth_;
+  label(inner.returnLabel);
+}
+
+}  // namespace rungproof::iec

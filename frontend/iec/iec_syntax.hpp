@@ -1,0 +1,173 @@
+// The syntax tree of IEC 61131-3 texts: types, blocks with their declarations, statements, expressions, configurations.
+// The readers of text and of PLCopen XML make it; the lowering gives it a meaning. Names keep their spelling and are
+// compared without regard to case (foldedName).
+// Tested by tests/iec.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ir/program.hpp"
+
+namespace rungproof::iec {
+
+/// In capitals, as names are compared.
+std::string foldedName(std::string_view name);
+
+enum class ExprKind : std::uint8_t {
+  Literal,  ///< text: as written; prefix: type in front of #
+  Text,     ///< string literal
+  Path,     ///< variable, enumerator: parts
+  Unary,    ///< text: "-" or "NOT"
+  Binary,   ///< text: operator in capitals
+  Call      ///< parts name the function; arguments
+};
+
+struct Expr;
+using ExprPtr = std::unique_ptr<Expr>;
+
+/// One step of a path: `.name`, `[indices]` or `.3` (a bit).
+struct PathPart {
+  enum class Kind : std::uint8_t { Name, Index, Bit } kind = Kind::Name;
+  std::string name;
+  std::vector<ExprPtr> indices;
+  std::uint32_t bit = 0;
+  Span span;
+};
+
+struct Argument {
+  std::string name;  ///< formal: of the parameter
+  bool isOutput = false;
+  bool isNegated = false;  ///< NOT q => x
+  ExprPtr value;
+  Span span;
+};
+
+struct Expr {
+  ExprKind kind = ExprKind::Literal;
+  Span span;
+  std::string text;
+  std::string prefix;
+  std::vector<PathPart> parts;
+  std::vector<ExprPtr> operands;
+  std::vector<Argument> arguments;
+};
+
+enum class StatementKind : std::uint8_t { Assign, Call, If, Case, For, While, Repeat, Exit, Continue, Return, Unread };
+
+struct Statement;
+using Statements = std::vector<Statement>;
+
+/// A condition with its statements; of CASE: the values, `high` the end of a range.
+struct CaseLabel {
+  ExprPtr low, high;
+};
+struct Branch {
+  ExprPtr condition;
+  std::vector<CaseLabel> labels;
+  Statements body;
+};
+
+struct Statement {
+  StatementKind kind = StatementKind::Assign;
+  Span span;
+  ExprPtr target;    ///< Assign: variable; Call: the call; For: counter
+  ExprPtr value;     ///< Assign: value; Case: selector; For: first; While, Repeat: condition
+  ExprPtr last, by;  ///< For
+  std::vector<Branch> branches;
+  Statements otherwise;
+  bool hasElse = false;
+};
+
+enum class TypeForm : std::uint8_t { Named, Array, Struct, Enum };
+
+struct TypeSyntax;
+using TypePtr = std::shared_ptr<TypeSyntax>;
+
+struct Initial {
+  ExprPtr value;                                       ///< one value
+  std::vector<std::pair<std::uint32_t, Initial>> row;  ///< [1, 2, 3(0)]: how often, and what
+  std::vector<std::pair<std::string, Initial>> fields;
+  bool isRow = false, isStructure = false;
+  Span span;
+};
+
+struct VariableSyntax;
+
+struct TypeSyntax {
+  TypeForm form = TypeForm::Named;
+  Span span;
+  std::string name;                                    ///< Named
+  ExprPtr low, high;                                   ///< Named: a subrange
+  std::vector<std::pair<ExprPtr, ExprPtr>> bounds;     ///< Array
+  TypePtr element;                                     ///< Array
+  std::vector<VariableSyntax> fields;                  ///< Struct
+  std::vector<std::pair<std::string, ExprPtr>> items;  ///< Enum
+};
+
+enum class Section : std::uint8_t { Input, Output, InOut, Local, Temp, External, Global };
+enum class EdgeOf : std::uint8_t { None, Rising, Falling };
+
+struct VariableSyntax {
+  std::string name;
+  Section section = Section::Local;
+  TypePtr type;
+  std::string address;  ///< "%IX0.0", or empty
+  std::shared_ptr<Initial> initial;
+  bool isConstant = false, isRetain = false;
+  EdgeOf edge = EdgeOf::None;
+  Span span;
+};
+
+enum class BlockKind : std::uint8_t { Program, FunctionBlock, Function };
+
+struct BlockSyntax {
+  BlockKind kind = BlockKind::Program;
+  std::string name;
+  TypePtr result;  ///< Function
+  std::vector<VariableSyntax> variables;
+  Statements body;
+  Span span;
+  bool isWhole = true;     ///< everything was read
+  bool isLibrary = false;  ///< of the standard
+  std::string unread;      ///< language of a body that is not read
+};
+
+struct NamedType {
+  std::string name;
+  TypePtr type;
+  std::shared_ptr<Initial> initial;
+  Span span;
+};
+
+struct TaskSyntax {
+  std::string name;
+  std::optional<std::int64_t> intervalMs;
+  bool isSingle = false;
+  std::int64_t priority = 0;
+  Span span;
+};
+struct InstanceSyntax {
+  std::string name, task, type;
+  std::vector<Argument> connections;
+  Span span;
+};
+
+/// All files of a project.
+struct ProjectSyntax {
+  std::vector<NamedType> types;
+  std::vector<BlockSyntax> blocks;
+  std::vector<VariableSyntax> globals;
+  std::vector<TaskSyntax> tasks;
+  std::vector<InstanceSyntax> instances;
+  std::vector<Directive> directives;
+  bool isDamaged = false;  ///< something outside of blocks could not be read
+
+  bool isEmpty() const { return blocks.empty() && globals.empty() && types.empty(); }
+};
+
+}  // namespace rungproof::iec
