@@ -1,0 +1,74 @@
+// Shorthand of these tests: a program of IEC 61131-3 scan by scan on the engine, its variables by their names.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "engine/simulator.hpp"
+#include "engine/trace.hpp"
+#include "frontend/input/program_input.hpp"
+#include "frontend/input/project.hpp"
+
+namespace rungproof {
+
+/// Messages of the readers, one behind the other.
+inline std::string findingsIec(const Program& program) {
+  std::string text;
+  for (const Finding& finding : program.findings) text += std::string(finding.message.view()) + "\n";
+  return text;
+}
+
+inline Program readIecText(const std::string& text) { return readText("test.st", text); }
+
+struct IecRun {
+  explicit IecRun(const std::string& text, std::uint32_t scanMs = 10)
+      : program(readIecText(text)), lookup(lookupIn(program)), simulator(program, options(scanMs)) {
+    EXPECT_EQ(findingsIec(program), "");
+  }
+
+  Operand place(const std::string& name) const {
+    const std::optional<Operand> operand = lookup(name);
+    EXPECT_TRUE(operand.has_value()) << name;
+    return operand.value_or(direct(Area::V, Width::Bit, 0));
+  }
+  void set(const std::string& name, double value) {
+    const Operand at = place(name);
+    simulator.write(at, valueOf(value, signalOf(program, at).type, signalOf(program, at).width()));
+  }
+  double get(const std::string& name) const {
+    const Operand at = place(name);
+    return numberOf(simulator.read(at), signalOf(program, at).type, signalOf(program, at).width());
+  }
+  void scan(std::uint32_t ms = 0) { simulator.scan({ms * 1000}); }
+
+  /// The values of a variable at the ends of scans in which the inputs have these values.
+  std::vector<double> follow(const std::string& name,
+                             const std::vector<std::pair<std::string, std::vector<double>>>& inputs) {
+    std::vector<double> seen;
+    for (std::size_t i = 0; i < inputs[0].second.size(); ++i) {
+      for (const auto& [input, values] : inputs) set(input, values[i]);
+      scan();
+      seen.push_back(get(name));
+    }
+    return seen;
+  }
+
+  Program program;
+  OperandLookup lookup;
+  Simulator simulator;
+
+ private:
+  static SimulatorOptions options(std::uint32_t scanMs) {
+    SimulatorOptions made;
+    made.scanUs = scanMs * 1000;
+    return made;
+  }
+};
+
+/// A program with these declarations and statements.
+inline std::string iecProgram(const std::string& declarations, const std::string& statements) {
+  return "PROGRAM main\n" + declarations + "\n" + statements + "\nEND_PROGRAM\n";
+}
+
+using Row = std::vector<double>;
+
+}  // namespace rungproof
