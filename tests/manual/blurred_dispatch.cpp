@@ -17,6 +17,10 @@ std::span<const Execute<manual::Blurred>> step7DispatchTable<manual::Blurred>() 
   return {};
 }
 template <>
+std::span<const Execute<manual::Blurred>> iecDispatchTable<manual::Blurred>() {
+  return {};
+}
+template <>
 void runSystemBlock<manual::Blurred>(Machine<manual::Blurred>&, const std::function<void()>&) {}
 
 }  // namespace rungproof

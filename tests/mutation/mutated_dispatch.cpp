@@ -31,6 +31,10 @@ std::span<const Execute<Mutated>> step7DispatchTable<Mutated>() {
   return {};
 }
 template <>
+std::span<const Execute<Mutated>> iecDispatchTable<Mutated>() {
+  return {};
+}
+template <>
 void runSystemBlock<Mutated>(Machine<Mutated>&, const std::function<void()>&) {}
 
 }  // namespace rungproof

@@ -32,6 +32,10 @@ std::span<const Execute<Mutated>> step7DispatchTable<Mutated>() {
       mutation::everyEntry<&executeChanged>(std::make_index_sequence<isa::step7::instructionTable.size()>{});
   return table;
 }
+template <>
+std::span<const Execute<Mutated>> iecDispatchTable<Mutated>() {
+  return {};
+}
 
 /// The stated cases call no block of the system: its bodies have tests of their own (tests/step7).
 template <>
