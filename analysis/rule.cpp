@@ -34,6 +34,7 @@ constexpr std::array groups = {
     RuleGroup{"S5T", "Timers and counters of the S7-300/400"},
     RuleGroup{"DBA", "Data blocks and address registers of the S7-300/400"},
     RuleGroup{"OBL", "Organization blocks of the S7-300/400"},
+    RuleGroup{"IEC", "Programs of IEC 61131-3"},
     RuleGroup{"GRF", "Ladder and FBD drawings"},
     RuleGroup{"STY", "Style"},
     RuleGroup{"SUP", "The tool itself"},

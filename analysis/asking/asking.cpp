@@ -110,6 +110,14 @@ void askNothing(Asking& asking, const Rule& rule) {
   asking.ask({.name = std::string(rule.ask.whenNone), .bad = asking.graph().constant(false).node});
 }
 
+/// The first line of the statement of IEC 61131-3 that the instruction belongs to.
+std::string statementText(const Program& program, const Instruction& instruction) {
+  constexpr std::size_t most = 60;
+  std::string_view text = program.sources->text(instruction.span);
+  text = text.substr(0, text.find_first_of("\r\n"));
+  return text.size() <= most ? std::string(text) : std::string(text.substr(0, most)) + "...";
+}
+
 /// One question for each instruction and each kind of hazard it may meet, in the order of the encoding.
 void askHazards(Asking& asking, const std::vector<const Rule*>& rules) {
   const auto ruleOf = [&](Hazard hazard) -> const Rule* {
@@ -138,7 +146,8 @@ void askHazards(Asking& asking, const std::vector<const Rule*>& rules) {
   for (const auto& key : order) {
     asking.begin(*ruleOf(key.second));
     const HazardInfo& info = hazardInfo(key.second);
-    const std::string text = Facts::text(*key.first);
+    const std::string text =
+        isIec(asking.program().target) ? statementText(asking.program(), *key.first) : Facts::text(*key.first);
     // Named after what is good, because "PROVED" stands in front of it.
     asking.ask({.name = fmt::format("{}: never '{}'", text, info.text),
                 .message = fmt::format("{}: {}", text, info.text),
