@@ -41,8 +41,10 @@ std::string_view needsText(Needs needs) {
 
 std::string dialectsText(Dialects dialects) {
   std::string text;
-  if ((dialects & dialect::S7200) != 0) text = "S7-200";
-  if ((dialects & dialect::S7300) != 0) text += text.empty() ? "S7-300/400" : ", S7-300/400";
+  for (const auto& [set, name] :
+       {std::pair{dialect::S7200, "S7-200"}, {dialect::S7300, "S7-300/400"}, {dialect::Iec, "IEC 61131-3"}}) {
+    if ((dialects & set) != 0) text += fmt::format("{}{}", text.empty() ? "" : ", ", name);
+  }
   return text;
 }
 

@@ -2,8 +2,10 @@
 #include "frontend/iec/iec_drawing.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "frontend/graphical/drawn_circuit.hpp"
+#include "frontend/iec/iec_lowering.hpp"
 #include "frontend/iec/iec_parser.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 
@@ -12,6 +14,7 @@ namespace rungproof::iec {
 namespace {
 
 bool isInstance(const DrawnElement& element) {
+  if (isStandardFunction(foldedName(element.text))) return false;  // some editors number them as instances
   return element.kind == DrawnKind::Block && !element.instance.empty() &&
          element.instance.find('?') == std::string::npos;
 }
@@ -36,6 +39,16 @@ class DrawingToStatements {
   DrawnSink& placed(const BlockSyntax& block) {
     drawnSink_.setPlace(block.name, 0);
     return drawnSink_;
+  }
+
+  /// A contact that would be read behind a coil of the same network which writes its variable: some controllers take
+  /// the value of before the network.
+  void refuseFeedback(int i, const std::string& variable) {
+    if (written_.contains({circuit_.circuitOf(i), foldedName(variable)}))
+      refuse(circuit_.element(i),
+             fmt::format("whether {} has the value that a coil of the same network gave it before is "
+                         "open",
+                         nameOf(circuit_.element(i))));
   }
 
   /// A result that cannot be written leaves a statement that was not read.
@@ -188,6 +201,7 @@ class DrawingToStatements {
       case DrawnKind::LeftRail: return word("TRUE", element.span);
       case DrawnKind::Contact:
         return shared(i, [&] {
+          refuseFeedback(i, element.text);
           ExprPtr flow = element.inputs.empty() ? word("TRUE", element.span) : flowInto(i);
           ExprPtr value = edgeOf(i, parsed(element.text, element.span), element.edge);
           if (element.negated) value = inverted(std::move(value));
@@ -304,6 +318,7 @@ class DrawingToStatements {
     const DrawnElement& element = circuit_.element(i);
     ExprPtr flow = circuit_.consumersOf(i).empty() ? flowInto(i) : leaving(i, "");
     flow = edgeOf(i, std::move(flow), element.edge);
+    written_.emplace(circuit_.circuitOf(i), foldedName(element.text));
     if (element.storage == DrawnStorage::None) {
       if (element.negated) flow = inverted(std::move(flow));
       return assign(i, parsed(element.text, element.span), std::move(flow));
@@ -387,6 +402,7 @@ class DrawingToStatements {
   DrawnCircuit circuit_;
   std::vector<bool> isDone_;
   std::vector<std::string> flows_;
+  std::set<std::pair<int, std::string>> written_;  ///< by coils, with their circuits
   int depth_ = 0;
   bool isWriting_ = false;
 };

@@ -9,7 +9,7 @@ void Lowering::emit(std::string_view mnemonic, std::initializer_list<std::int64_
   made.desc = iecInstructions().named(mnemonic);
   CHECK(made.desc != nullptr, "the machine has the instruction");
   for (const std::int64_t number : numbers) made.operands.push_back(rungproof::constant(number));
-  made.span = network_->span;
+  made.span = span_;
   made.mnemonicLength = made.span.length;
   network_->instructions.push_back(std::move(made));
 }
@@ -25,7 +25,7 @@ Width widthOf(int bits) {
 void Lowering::emitPlace(std::string_view mnemonic, const Type& type, std::uint32_t offset) {
   emit(type.width == 1 ? std::string(mnemonic) + ".BIT" : std::string(mnemonic));
   Operand place = direct(Area::V, widthOf(type.width), offset);
-  place.span = network_->span;
+  place.span = span_;
   last().operands.push_back(std::move(place));
 }
 

@@ -82,6 +82,10 @@ const Type* conversionTarget(const std::string& name) {
 
 }  // namespace
 
+bool isStandardFunction(const std::string& folded) {
+  return standardFunctions().contains(folded) || conversionTarget(folded) != nullptr;
+}
+
 /// The arguments in the order of the parameters, formal or not.
 std::vector<const Expr*> Lowering::plainArguments(const Expr& expr,
                                                   std::initializer_list<std::string_view> names) const {
@@ -386,11 +390,9 @@ const Type* Lowering::conversion(Scope& scope, const std::string& name, const Ex
 }
 
 void Lowering::convert(const Type& from, const Type& to, bool cuts, Span span) {
-  if (from.kind == Kind::Time || to.kind == Kind::Time) {
-    if (from.kind == to.kind) return;
-    refuse(span, "whether a duration becomes seconds or milliseconds is open; this is not modelled",
-           Syntax::IecNotModelled);
-  }
+  if (from.kind == Kind::Time && to.kind == Kind::Time) return;
+  if (from.kind == Kind::Time) return fromDuration(to, span);
+  if (to.kind == Kind::Time) return toDuration(from, span);
   if (from.kind == Kind::Real) {
     if (to.kind == Kind::Real) return;
     if (to.kind == Kind::Bool) refuse(span, "REAL_TO_BOOL is not modelled", Syntax::IecNotModelled);
@@ -405,6 +407,44 @@ void Lowering::convert(const Type& from, const Type& to, bool cuts, Span span) {
     return emit("NE", {from.width, 0});
   }
   emit("RESIZE", {from.width, to.width, from.isSigned ? 1 : 0});
+}
+
+/// Milliseconds or seconds, by the reading in force.
+void Lowering::fromDuration(const Type& to, Span span) {
+  const Type& whole = *elementaryType("DINT");
+  const Type& time = *elementaryType("TIME");
+  const std::uint32_t duration = allocate(4);
+  store(time, duration);
+  emit("READING", {static_cast<std::int64_t>(Choice::IecTimeNumber), 1});
+  load(time, duration);
+  convert(whole, to, false, span);
+  if (to.kind == Kind::Real) {
+    load(time, duration);
+    emit("TO.REAL", {1});
+    pushValue({nullptr, 0x447A0000, true, 1000}, to, span);
+    emit("DIV.REAL");
+  } else {
+    load(time, duration);
+    constant(1000, 32);
+    emit("DIV", {32, 1});
+    convert(whole, to, false, span);
+  }
+  emit("SEL", {to.width});
+}
+
+void Lowering::toDuration(const Type& from, Span span) {
+  if (from.kind == Kind::Real || from.kind == Kind::Bool)
+    refuse(span, fmt::format("{}_TO_TIME is not modelled", from.name), Syntax::IecNotModelled);
+  emit("RESIZE", {from.width, 32, from.isSigned ? 1 : 0});
+  const Type& time = *elementaryType("TIME");
+  const std::uint32_t number = allocate(4);
+  store(time, number);
+  emit("READING", {static_cast<std::int64_t>(Choice::IecTimeNumber), 1});
+  load(time, number);
+  load(time, number);
+  constant(1000, 32);
+  emit("MUL", {32});
+  emit("SEL", {32});
 }
 
 }  // namespace rungproof::iec

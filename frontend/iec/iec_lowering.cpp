@@ -173,7 +173,11 @@ void Lowering::initialize(const Type& type, std::uint32_t offset, const Initial*
     return;
   }
   const auto value = types_.constant(*initial->value);
-  if (!value) refuse(initial->span, "an initial value is a constant");
+  if (!value) {
+    std::string reason = "an initial value is a constant";
+    if (initial->value->kind == ExprKind::Literal) static_cast<void>(literalValue(*initial->value, reason));
+    refuse(initial->span, reason);
+  }
   if (type.kind == Kind::Time && value->type == nullptr && value->number != 0)
     refuse(initial->span, "a duration is written T#5s");
   writeInitial(type, offset, *value);
@@ -242,122 +246,6 @@ BlockInstance* Lowering::functionNamed(const std::string& name) {
   return made;
 }
 
-/// Located inputs, inputs of programs: any value in any scan.
-void Lowering::freeVariable(const Type& type, std::uint32_t offset, Span span) {
-  if (type.bytes == 0) return;
-  freed_.push_back({offset, type.bytes, span});
-}
-
-/// A directive for each value: reports name what is free.
-void Lowering::freeNamedVariables() {
-  std::set<std::uint32_t> seen;
-  for (const Symbol& symbol : program_.symbols) {
-    const std::uint32_t offset = symbol.address.offset;
-    const auto range =
-        std::ranges::find_if(freed_, [&](const Freed& f) { return f.offset <= offset && offset < f.offset + f.bytes; });
-    if (range == freed_.end() || !seen.insert(offset).second) continue;
-    program_.directives.push_back({"external " + symbol.name, range->span, -1, 0});
-  }
-}
-
-/// Globals that nobody writes and that have no initial value: a panel or another configuration writes them.
-void Lowering::freeUnwrittenGlobals() {
-  for (const auto& [name, variable] : globals_) {
-    if (variable.type == nullptr || variable.constant || variable.instance != nullptr || !variable.elements.empty() ||
-        variable.declared == nullptr || variable.declared->initial != nullptr)
-      continue;
-    const bool isOutput = variable.declared->address.size() > 1 && variable.declared->address[1] == 'Q';
-    bool isWritten = isOutput;
-    for (std::uint32_t i = variable.offset; i < variable.offset + variable.type->bytes && i < isWritten_.size(); ++i)
-      isWritten = isWritten || isWritten_[i] != 0;
-    if (!isWritten) freeVariable(*variable.type, variable.offset, variable.declared->span);
-  }
-}
-
-void Lowering::checkTasks(const std::vector<const InstanceSyntax*>& instances) {
-  std::optional<std::int64_t> interval;
-  for (const InstanceSyntax* instance : instances) {
-    const auto task = std::ranges::find_if(
-        project_.tasks, [&](const TaskSyntax& t) { return foldedName(t.name) == foldedName(instance->task); });
-    if (instance->task.empty() || task == project_.tasks.end()) continue;
-    if (task->isSingle) error(Syntax::IecNotModelled, task->span, "tasks that an event starts are not modelled");
-    if (task->intervalMs && interval && *interval != *task->intervalMs)
-      error(Syntax::IecNotModelled, task->span, "tasks of different intervals are not modelled");
-    if (task->intervalMs) interval = task->intervalMs;
-  }
-  if (interval) program_.taskMs = static_cast<std::uint32_t>(*interval);
-}
-
-/// The instances that the configuration names; without one every program once; of blocks alone the only one.
-void Lowering::makePrograms() {
-  std::vector<const InstanceSyntax*> named;
-  for (const InstanceSyntax& instance : project_.instances) named.push_back(&instance);
-  checkTasks(named);
-  const auto add = [&](const BlockSyntax& block, const std::string& path, const InstanceSyntax* instance) {
-    BlockInstance* made = makeInstance(block, path);
-    programs_.push_back(made);
-    for (const VariableSyntax& variable : block.variables) {
-      const bool isInput = variable.section == Section::Input || variable.section == Section::InOut;
-      const auto found = made->names.find(foldedName(variable.name));
-      if (!isInput || found == made->names.end() || found->second.type == nullptr) continue;
-      if (variable.section == Section::InOut) {  // nobody connects it: a variable of its own
-        try {
-          found->second.offset = allocate(found->second.type->bytes);
-        } catch (const Refused&) {
-        }
-        made->hasInOut = false;
-      }
-      if (variable.address.empty()) freeVariable(*found->second.type, found->second.offset, variable.span);
-    }
-    if (instance != nullptr && !instance->connections.empty())
-      error(Syntax::IecNotModelled, instance->span, "connections of a program instance are not modelled");
-  };
-  for (const InstanceSyntax* instance : named) {
-    const auto block = blocks_.find(foldedName(instance->type));
-    if (block == blocks_.end() || block->second->kind != BlockKind::Program) {
-      error(Syntax::IecName, instance->span, fmt::format("there is no program {}", excerpt(instance->type)));
-      continue;
-    }
-    add(*block->second, instance->name, instance);
-  }
-  if (named.empty()) {
-    for (const BlockSyntax& block : project_.blocks) {
-      if (block.kind == BlockKind::Program) add(block, block.name, nullptr);
-    }
-  }
-  std::vector<const BlockSyntax*> own;
-  for (const BlockSyntax& block : project_.blocks) {
-    if (block.kind == BlockKind::FunctionBlock && !block.isLibrary) own.push_back(&block);
-  }
-  if (programs_.empty() && own.size() == 1) add(*own[0], own[0]->name, nullptr);
-  if (programs_.empty()) {
-    const Span place = project_.blocks.empty() ? Span{} : project_.blocks[0].span;
-    return error(Syntax::IecNoProgram, place, "no program is there that could run");
-  }
-  const std::vector<BlockInstance*> all = programs_;
-  for (BlockInstance* program : all) makeRoutine(*program);
-  makeMain(all);
-  // A block that nobody calls is made once, so that it is checked.
-  for (const BlockSyntax& block : project_.blocks) {
-    const bool isCalled = std::ranges::any_of(instances_, [&](const BlockInstance& instance) {
-      return instance.block == &block && (instance.routine >= 0 || instance.isCalled);
-    });
-    if (block.isLibrary || isCalled || block.kind == BlockKind::Program) continue;
-    try {
-      BlockInstance* made =
-          block.kind == BlockKind::Function ? functionNamed(foldedName(block.name)) : makeInstance(block, block.name);
-      if (made == nullptr) continue;
-      for (const VariableSyntax& variable : block.variables) {
-        const auto found = made->names.find(foldedName(variable.name));
-        if (variable.section != Section::InOut || found == made->names.end() || found->second.type == nullptr) continue;
-        found->second.offset = allocate(found->second.type->bytes);
-      }
-      makeRoutine(*made);
-    } catch (const Refused&) {
-    }
-  }
-}
-
 /// Locals of functions and VAR_TEMP begin anew in every call.
 void Lowering::freshLocals(Scope& scope) {
   const BlockSyntax& block = *scope.self->block;
@@ -411,6 +299,7 @@ std::optional<Operands> Lowering::writtenBy(Scope& scope, const Statement& one) 
 
 void Lowering::makeRoutine(BlockInstance& instance) {
   Network* const outer = network_;
+  const Span at = span_;
   const int labels = std::exchange(nextLabel_, 0);
   auto constants = types_.constants;
   for (const auto& [name, variable] : instance.names) {
@@ -432,6 +321,7 @@ void Lowering::makeRoutine(BlockInstance& instance) {
     network.number = static_cast<int>(pou.networks.size()) + 1;
     network.span = span;
     network_ = &network;
+    span_ = span;
     sink_.setPlace(pou.name, network.number);
     try {
       make();
@@ -461,33 +351,9 @@ void Lowering::makeRoutine(BlockInstance& instance) {
   instance.isOpen = false;
   program_.pous.push_back(std::move(pou));
   network_ = outer;
+  span_ = at;
   nextLabel_ = labels;
   types_.constants = std::move(constants);
-}
-
-/// Time passes for the timers, then the programs run in their order.
-void Lowering::makeMain(const std::vector<BlockInstance*>& programs) {
-  Pou pou;
-  pou.kind = PouKind::Main;
-  pou.name = "CYCLE";
-  pou.isBuiltIn = true;
-  pou.span = programs[0]->block->span;
-  Network network;
-  network.number = 1;
-  network.span = {pou.span.file, pou.span.offset, 0};
-  network_ = &network;
-  for (const BlockInstance* timer : timers_) {
-    if (!timer->isCalled) continue;
-    emit("PASS");
-    last().operands.push_back(direct(Area::V, Width::Byte, timer->names.at("STATE").offset));
-    last().operands.push_back(direct(Area::V, Width::DWord, timer->names.at("ELAPSED").offset));
-    last().operands.push_back(
-        rungproof::constant(std::max<std::int64_t>(timer->longestPreset.value_or(0x7FFFFFFF), 1)));
-  }
-  for (const BlockInstance* program : programs) emit("CAL", {program->routine});
-  pou.networks.push_back(std::move(network));
-  network_ = nullptr;
-  program_.pous.insert(program_.pous.begin(), std::move(pou));
 }
 
 /// The smallest that holds all variables.

@@ -73,8 +73,6 @@ class Lowering {
 
   // iec_lowering.cpp
   void declareGlobals();
-  void makePrograms();
-  void checkTasks(const std::vector<const InstanceSyntax*>& instances);
   BlockInstance* makeInstance(const BlockSyntax& block, std::string path);
   BlockInstance* functionNamed(const std::string& name);
   Variable makeVariable(const VariableSyntax& syntax, const std::string& path);
@@ -86,18 +84,25 @@ class Lowering {
   void nameOperands();
   void nameVariable(const std::string& name, const Variable& variable, const std::string& alias);
   void nameValue(const std::string& name, const Type& type, std::uint32_t offset, const std::string& alias);
-  void freeVariable(const Type& type, std::uint32_t offset, Span span);
-  void freeNamedVariables();
-  void freeUnwrittenGlobals();
   void makeRoutine(BlockInstance& instance);
   std::optional<Operands> writtenBy(Scope& scope, const Statement& one);
   static bool calls(const Expr& expr);
-  void makeMain(const std::vector<BlockInstance*>& programs);
   void body(Scope& scope, const BlockSyntax& block);
   void freshLocals(Scope& scope);
   void chooseMachine();
   void error(Syntax code, Span span, std::string message);
   [[noreturn]] void refuse(Span span, std::string message, Syntax code = Syntax::IecType);
+
+  // iec_programs.cpp
+  void makePrograms();
+  const TaskSyntax* taskOf(const InstanceSyntax& instance) const;
+  void checkTasks(const std::vector<const InstanceSyntax*>& instances);
+  void freeVariable(const Type& type, std::uint32_t offset, Span span);
+  void freeNamedVariables();
+  void freeUnwrittenGlobals();
+  void makeMain();
+  void callProgram(std::size_t number);
+  void callTasks(const std::vector<std::size_t>& order);
 
   // iec_emission.cpp
   void emit(std::string_view mnemonic, std::initializer_list<std::int64_t> numbers = {});
@@ -160,6 +165,8 @@ class Lowering {
   const Type* ownFunction(Scope& scope, BlockInstance& function, const Expr& expr);
   const Type* conversion(Scope& scope, const std::string& name, const Expr& expr);
   void convert(const Type& from, const Type& to, bool cuts, Span span);
+  void fromDuration(const Type& to, Span span);
+  void toDuration(const Type& from, Span span);
   const Type* ownTypeOf(Scope& scope, const std::vector<const Expr*>& values, Span span);
   const Type* commonOf(Scope& scope, const std::vector<const Expr*>& values, const Type* wanted, Span span);
   std::vector<const Expr*> plainArguments(const Expr& expr, std::initializer_list<std::string_view> names) const;
@@ -172,6 +179,14 @@ class Lowering {
   std::map<std::string, const BlockSyntax*> blocks_;
   std::map<std::string, BlockInstance*> functions_;
   std::map<std::string, Variable> globals_;
+  /// A program with what the configuration says of it.
+  struct ProgramRun {
+    const InstanceSyntax* instance = nullptr;
+    std::int64_t priority = 0;  ///< 0: highest
+    std::uint32_t every = 1;    ///< scans from one run to the next
+    std::uint32_t counter = 0;  ///< place of the scans since, where `every` is more than 1
+  };
+  std::vector<ProgramRun> runs_;  ///< parallel to programs_
   std::vector<BlockInstance*> programs_;
   std::vector<BlockInstance*> timers_;
   std::map<std::string, std::uint32_t> places_;  ///< by address in capitals
@@ -187,10 +202,13 @@ class Lowering {
   int nextLabel_ = 0;
   int depth_ = 0;
   Network* network_ = nullptr;
+  Span span_;                            ///< of the statement at hand
   std::vector<std::uint8_t> isWritten_;  ///< by byte
   static constexpr std::uint32_t mostBytes = 1U << 20;
 };
 
+/// Whether the standard has a function of that name, in capitals.
+bool isStandardFunction(const std::string& folded);
 /// Makes the program of everything that the files hold.
 void buildIecProgram(Program& program, ProjectSyntax& project);
 /// Appends the blocks of the standard that the project does not have itself.

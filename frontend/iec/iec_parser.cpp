@@ -364,7 +364,12 @@ class ProjectParser : private StatementParser {
     if (accept("WITH")) made.task = name("the name of a task");
     expect(":");
     made.type = name("the name of a program");
-    if (is("(")) made.connections = arguments();
+    if (is("(")) {
+      made.connections = std::make_unique<Expr>();
+      made.connections->kind = ExprKind::Call;
+      made.connections->arguments = arguments();
+      made.connections->span = spanFrom(begin);
+    }
     accept(";");
     made.span = spanFrom(begin);
     project_.instances.push_back(std::move(made));

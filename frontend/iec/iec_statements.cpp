@@ -3,8 +3,14 @@
 
 namespace rungproof::iec {
 
+/// Instructions of a body that is written out keep the place of the call.
 void Lowering::statements(Scope& scope, const Statements& list) {
-  for (const Statement& one : list) statement(scope, one);
+  const Span outer = span_;
+  for (const Statement& one : list) {
+    if (scope.returnLabel < 0) span_ = one.span;
+    statement(scope, one);
+  }
+  span_ = outer;
 }
 
 void Lowering::statement(Scope& scope, const Statement& s) {

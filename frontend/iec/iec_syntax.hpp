@@ -153,7 +153,7 @@ struct TaskSyntax {
 };
 struct InstanceSyntax {
   std::string name, task, type;
-  std::vector<Argument> connections;
+  ExprPtr connections;  ///< as of a call: inputs and outputs; nullptr: none
   Span span;
 };
 

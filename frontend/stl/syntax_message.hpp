@@ -187,7 +187,7 @@ inline constexpr std::array<SyntaxMessage, static_cast<std::size_t>(Syntax::coun
      "declare it, correct its spelling, or add the file that has it"},
     {Syntax::IecNotModelled, "SYN059", "Not modelled in IEC 61131-3 programs", Severity::Error,
      "properties that depend on it get the verdict NOT COVERED"},
-    {Syntax::IecNoProgram, "SYN060", "No program to run", Severity::Error,
+    {Syntax::IecNoProgram, "SYN060", "No program to run", Severity::Warning,
      "add the PROGRAM, or give one function block alone"},
 }};
 

@@ -66,6 +66,8 @@ enum class Choice : std::uint8_t {
   IecCtdLimit,
   IecTimerStart,
   IecShortCircuit,
+  IecTaskOrder,
+  IecTimeNumber,
   count
 };
 
@@ -357,6 +359,17 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      {"no", "yes", ""},
      "IEC 61131-3: whether the right side of AND and OR is computed where the left one decides; it matters where that "
      "divides, indexes or calls",
+     "IEC 61131-3"},
+    {Choice::IecTaskOrder,
+     "iec-task-order",
+     {"priority", "declaration", ""},
+     "IEC 61131-3: in which order programs run that are due at once: by the priority of their tasks, or as they are "
+     "declared",
+     "IEC 61131-3"},
+    {Choice::IecTimeNumber,
+     "iec-time-number",
+     {"milliseconds", "seconds", ""},
+     "IEC 61131-3: the number that TIME_TO_DINT and its kin make of a duration, and take for one",
      "IEC 61131-3"},
 }};
 

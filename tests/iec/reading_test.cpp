@@ -32,7 +32,7 @@ constexpr Wrong wrongTexts[] = {
     {"a : INT; b : BOOL;", "a := a + b;", "INT and BOOL do not go together"},
     {"a : BOOL;", "a := a + a;", "+ of BOOL"},
     {"t : TIME;", "t := 5;", "a duration is written T#5s"},
-    {"t : TIME := T#5x;", "", "an initial value is a constant"},
+    {"t : TIME := T#5x;", "", "T#5x is no duration of whole milliseconds"},
     {"a : INT;", "CASE a OF b: a := 1; END_CASE;", "a label of CASE is a constant"},
     {"a : INT;", "a := (1 + ;", "a value is needed here, not ';'"},
     {"a : INT;", "IF TRUE THEN a := 1;", "'END_IF' is needed here"},
@@ -116,6 +116,153 @@ TEST(IecReading, PlcopenWithStatements) {
   // Entities keep the places of what follows them: the error is told in the line in which it stands.
   const IecOutput wrong = runIec({"lint"}, project("IF x &amp; (n &lt; 3) THEN\nn := y; END_IF;"), "light.xml");
   EXPECT_TRUE(wrong.has("there is no variable y") && wrong.has("light.xml:6:6")) << wrong.text;
+}
+
+/// A ladder program with these elements; its variables are BOOL, `inputs` free.
+std::string ladder(const std::string& inputs, const std::string& outputs, const std::string& elements) {
+  std::string text =
+      R"(<project xmlns="http://www.plcopen.org/xml/tc6_0201"><types><dataTypes/><pous><pou name="p" pouType="program"><interface>)";
+  const auto list = [&](const char* section, const std::string& names) {
+    text += std::string("<") + section + ">";
+    std::istringstream in(names);
+    for (std::string name; in >> name;) text += "<variable name=\"" + name + "\"><type><BOOL/></type></variable>";
+    text += std::string("</") + section + ">";
+  };
+  list("inputVars", inputs);
+  list("outputVars", outputs);
+  return text +
+         "</interface><body><LD><leftPowerRail localId=\"1\"><connectionPointOut "
+         "formalParameter=\"\"/></leftPowerRail>" +
+         elements + "</LD></body></pou></pous></types></project>";
+}
+std::string contact(int id, int from, const std::string& name, const std::string& more = "") {
+  return fmt::format(
+      "<contact localId=\"{}\" {}><position x=\"{}\" y=\"{}\"/><connectionPointIn><connection "
+      "refLocalId=\"{}\"/></connectionPointIn>"
+      "<connectionPointOut/><variable>{}</variable></contact>",
+      id, more, id * 10, id, from, name);
+}
+std::string coil(int id, int from, const std::string& name, const std::string& more = "") {
+  return fmt::format(
+      "<coil localId=\"{}\" {}><position x=\"{}\" y=\"{}\"/><connectionPointIn><connection "
+      "refLocalId=\"{}\"/></connectionPointIn>"
+      "<connectionPointOut/><variable>{}</variable></coil>",
+      id, more, id * 10, id, from, name);
+}
+
+IecOutput proofOfLadder(const std::string& xml, const std::string& properties) {
+  const test::TemporaryFolder folder;
+  folder.file("p.xml", xml);
+  folder.file("p.prop", properties);
+  std::istringstream in;
+  std::ostringstream out, err;
+  const int exit =
+      runProgram({"prove", folder.path("p.xml"), "--props", folder.path("p.prop"), "--dialect", "iec", "--isolated"},
+                 {in, out, err});
+  return {exit, out.str() + err.str()};
+}
+
+TEST(IecDrawing, ContactsAndCoils) {
+  const std::string xml = ladder("a b", "q s",
+                                 contact(2, 1, "a") + contact(3, 2, "b", "negated=\"true\"") + coil(4, 3, "q") +
+                                     coil(5, 2, "s", "storage=\"set\""));
+  const IecOutput output = proofOfLadder(xml, "prove q: q = (a and not b)\nprove s: s = once(a)\n");
+  EXPECT_TRUE(output.has("PROVED  q") && output.has("PROVED  s")) << output.text;
+}
+
+TEST(IecDrawing, EdgesFireInTheFirstScan) {
+  const std::string xml = ladder("a", "q f",
+                                 contact(2, 1, "a", "edge=\"rising\"") + coil(3, 2, "q") + contact(4, 1, "a") +
+                                     coil(5, 4, "f", "edge=\"rising\""));
+  const IecOutput output =
+      proofOfLadder(xml, "prove contact: q = (a and (first_scan or not prev(a)))\nprove coil: f = q\n");
+  EXPECT_TRUE(output.has("PROVED  contact") && output.has("PROVED  coil")) << output.text;
+}
+
+TEST(IecDrawing, AFlowIsComputedOnce) {  // the second coil takes the flow of before the first one's write
+  const std::string xml =
+      ladder("a", "x s", contact(2, 1, "x", "negated=\"true\"") + coil(3, 2, "x") + coil(4, 3, "s"));
+  EXPECT_TRUE(proofOfLadder(xml, "prove same: s = x\n").has("PROVED  same"));
+}
+
+TEST(IecDrawing, FeedbackWithinANetworkIsNotCovered) {  // a contact of q behind the coil that writes q
+  const std::string xml =
+      ladder("a b", "q m", contact(2, 1, "a") + coil(3, 2, "q") + contact(4, 2, "q") + coil(5, 4, "m"));
+  EXPECT_TRUE(proofOfLadder(xml, "prove m: m implies a\n").has("NOT COVERED  m"));
+}
+
+TEST(IecDrawing, BlocksTheirInstancesAndFunctions) {
+  const std::string block =
+      R"(<inVariable localId="7"><position x="1" y="40"/><connectionPointOut/><expression>2</expression></inVariable>
+<block localId="5" typeName="CTD" instanceName="c"><position x="60" y="10"/><inputVariables><variable formalParameter="CD"><connectionPointIn>
+<connection refLocalId="2"/></connectionPointIn></variable><variable formalParameter="PV"><connectionPointIn><connection refLocalId="7"/>
+</connectionPointIn></variable><variable formalParameter="LD"><connectionPointIn><connection refLocalId="3"/></connectionPointIn></variable>
+</inputVariables><inOutVariables/><outputVariables><variable formalParameter="Q"><connectionPointOut/></variable></outputVariables></block>)";
+  const std::string coilOfBlock =
+      R"(<coil localId="6"><position x="90" y="10"/><connectionPointIn><connection refLocalId="5" formalParameter="Q"/></connectionPointIn>
+<connectionPointOut/><variable>q</variable></coil>)";
+  const IecOutput output =
+      proofOfLadder(ladder("a l", "q", contact(2, 1, "a") + contact(3, 1, "l") + block + coilOfBlock),
+                    "prove loaded: l implies not q\nprove empty at the start: first_scan and not l implies q\nreach "
+                    "again: once(l) and q\n");
+  EXPECT_TRUE(output.has("PROVED  loaded") && output.has("PROVED  empty at the start") &&
+              output.has("REACHABLE  again"))
+      << output.text;
+}
+
+TEST(IecTasks, IntervalsAndPriorities) {  // slow runs in every second scan, and before fast by its priority
+  const auto text = [](const std::string& fast) {
+    return "CONFIGURATION c VAR_GLOBAL g : INT; END_VAR RESOURCE r ON PLC TASK s(INTERVAL := T#20ms, PRIORITY := 0); "
+           "TASK f(INTERVAL := T#10ms, PRIORITY := 1);\n"
+           "PROGRAM fast WITH f : fastOne" +
+           fast +
+           "; PROGRAM slow WITH s : slowOne; END_RESOURCE END_CONFIGURATION\n"
+           "PROGRAM fastOne VAR_EXTERNAL g : INT; END_VAR VAR_INPUT k : INT; END_VAR VAR n, seen : INT; END_VAR n := n "
+           "+ 1; seen := g; END_PROGRAM\n"
+           "PROGRAM slowOne VAR_EXTERNAL g : INT; END_VAR VAR n : INT; END_VAR n := n + 1; g := n; END_PROGRAM\n";
+  };
+  IecRun run(text(""));
+  std::vector<double> slow, fast, seen;
+  for (int scan = 0; scan < 4; ++scan) {
+    run.scan();
+    slow.push_back(run.get("slow.n"));
+    fast.push_back(run.get("fast.n"));
+    seen.push_back(run.get("seen"));
+  }
+  EXPECT_EQ(slow, (Row{1, 1, 2, 2}));
+  EXPECT_EQ(fast, (Row{1, 2, 3, 4}));
+  EXPECT_EQ(seen, (Row{1, 1, 2, 2}));
+  // The other order is a reading that proofs cover.
+  const IecOutput output =
+      proofOfIec(text("") + "//@ prove fresh: first_scan implies seen = 1\n//@ prove inputs: k = 3\n");
+  EXPECT_TRUE(output.has("VIOLATED  fresh") && output.has("iec-task-order") && output.has("VIOLATED  inputs"))
+      << output.text;
+  EXPECT_TRUE(output.has("every scan lasts 10 ms")) << output.text;
+  // A connected input is what it is connected with.
+  EXPECT_TRUE(proofOfIec(text("(k := 3)") + "//@ prove inputs: k = 3\n").has("PROVED  inputs"));
+}
+
+TEST(IecTasks, DurationsAsNumbers) {  // milliseconds or seconds
+  const std::string text =
+      iecProgram("VAR t : TIME := T#2500ms; n : DINT; r : REAL; u : TIME; END_VAR",
+                 "n := TIME_TO_DINT(t); r := TIME_TO_REAL(t); u := DINT_TO_TIME(n);\n//@ prove ms: n = 2500\n//@ prove "
+                 "s: n = 2 or n = 2500\n//@ prove real: r = 2.5 or r = 2500.0\n//@ prove back: u = 2500 or u = 2000\n");
+  const IecOutput output = proofOfIec(text);
+  EXPECT_TRUE(output.has("VIOLATED  ms") && output.has("PROVED  s") && output.has("PROVED  real") &&
+              output.has("PROVED  back"))
+      << output.text;
+  EXPECT_TRUE(proofOfIec(text, {"--choice", "iec-time-number=milliseconds"}).has("PROVED  ms"));
+}
+
+TEST(IecBuiltin, ErrorsAtRunTimeAreAsked) {
+  const IecOutput output =
+      proofOfIec(iecProgram("VAR_INPUT x, i : INT; END_VAR VAR y, n : INT; a : ARRAY [0..3] OF INT; END_VAR",
+                            "y := 10 / x;\ny := 10 / 3;\na[i] := 1;\na[n] := 2;\nn := (n + 1) MOD 4;"),
+                 {"--builtin"});
+  EXPECT_TRUE(output.has("VIOLATED  y := 10 / x: never 'division by zero'")) << output.text;
+  EXPECT_TRUE(output.has("VIOLATED  a[i] := 1: never 'index outside its array'")) << output.text;
+  EXPECT_TRUE(output.has("PROVED  a[n] := 2: never 'index outside its array'")) << output.text;
+  EXPECT_FALSE(output.has("10 / 3")) << output.text;
 }
 
 }  // namespace

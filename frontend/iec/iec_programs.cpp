@@ -1,0 +1,224 @@
+// Program instances: which of them run, in which scans and in which order, what is free in every scan, the entry block.
+#include <limits>
+#include <numeric>
+
+#include "frontend/iec/iec_lowering.hpp"
+
+namespace rungproof::iec {
+
+/// Located inputs, inputs of programs: any value in any scan.
+void Lowering::freeVariable(const Type& type, std::uint32_t offset, Span span) {
+  if (type.bytes == 0) return;
+  freed_.push_back({offset, type.bytes, span});
+}
+
+/// A directive for each value: reports name what is free.
+void Lowering::freeNamedVariables() {
+  std::set<std::uint32_t> seen;
+  for (const Symbol& symbol : program_.symbols) {
+    const std::uint32_t offset = symbol.address.offset;
+    const auto range =
+        std::ranges::find_if(freed_, [&](const Freed& f) { return f.offset <= offset && offset < f.offset + f.bytes; });
+    if (range == freed_.end() || !seen.insert(offset).second) continue;
+    program_.directives.push_back({"external " + symbol.name, range->span, -1, 0});
+  }
+}
+
+/// Globals that nobody writes and that have no initial value: a panel or another configuration writes them.
+void Lowering::freeUnwrittenGlobals() {
+  for (const auto& [name, variable] : globals_) {
+    if (variable.type == nullptr || variable.constant || variable.instance != nullptr || !variable.elements.empty() ||
+        variable.declared == nullptr || variable.declared->initial != nullptr)
+      continue;
+    const bool isOutput = variable.declared->address.size() > 1 && variable.declared->address[1] == 'Q';
+    bool isWritten = isOutput;
+    for (std::uint32_t i = variable.offset; i < variable.offset + variable.type->bytes && i < isWritten_.size(); ++i)
+      isWritten = isWritten || isWritten_[i] != 0;
+    if (!isWritten) freeVariable(*variable.type, variable.offset, variable.declared->span);
+  }
+}
+
+const TaskSyntax* Lowering::taskOf(const InstanceSyntax& instance) const {
+  const auto task = std::ranges::find_if(
+      project_.tasks, [&](const TaskSyntax& t) { return foldedName(t.name) == foldedName(instance.task); });
+  return instance.task.empty() || task == project_.tasks.end() ? nullptr : &*task;
+}
+
+/// A scan is as long as the greatest common divisor of the intervals.
+void Lowering::checkTasks(const std::vector<const InstanceSyntax*>& instances) {
+  std::int64_t interval = 0;
+  for (const InstanceSyntax* instance : instances) {
+    const TaskSyntax* task = taskOf(*instance);
+    if (task == nullptr) continue;
+    if (task->isSingle) error(Syntax::IecNotModelled, task->span, "tasks that an event starts are not modelled");
+    if (task->intervalMs) interval = std::gcd(interval, *task->intervalMs);
+  }
+  if (interval > 0) program_.taskMs = static_cast<std::uint32_t>(std::min<std::int64_t>(interval, 0x7FFFFFFF));
+}
+
+/// The instances that the configuration names; without one every program once; of blocks alone the only one.
+void Lowering::makePrograms() {
+  std::vector<const InstanceSyntax*> named;
+  for (const InstanceSyntax& instance : project_.instances) named.push_back(&instance);
+  checkTasks(named);
+  const auto add = [&](const BlockSyntax& block, const std::string& path, const InstanceSyntax* instance) {
+    BlockInstance* made = makeInstance(block, path);
+    programs_.push_back(made);
+    for (const VariableSyntax& variable : block.variables) {
+      const bool isInput = variable.section == Section::Input || variable.section == Section::InOut;
+      const auto found = made->names.find(foldedName(variable.name));
+      if (!isInput || found == made->names.end() || found->second.type == nullptr) continue;
+      if (variable.section == Section::InOut) {  // nobody connects it: a variable of its own
+        try {
+          found->second.offset = allocate(found->second.type->bytes);
+        } catch (const Refused&) {
+        }
+        made->hasInOut = false;
+      }
+      const bool isConnected = instance != nullptr && instance->connections != nullptr &&
+                               std::ranges::any_of(instance->connections->arguments, [&](const Argument& argument) {
+                                 return foldedName(argument.name) == foldedName(variable.name);
+                               });
+      if (variable.address.empty() && !isConnected)
+        freeVariable(*found->second.type, found->second.offset, variable.span);
+    }
+    ProgramRun run{instance};
+    if (const TaskSyntax* task = instance != nullptr ? taskOf(*instance) : nullptr; task != nullptr) {
+      run.priority = task->priority;
+      if (task->intervalMs) run.every = static_cast<std::uint32_t>(*task->intervalMs / *program_.taskMs);
+      if (run.every > 1) run.counter = allocate(4);
+    } else if (program_.taskMs) {
+      run.priority = std::numeric_limits<std::int64_t>::max();  // without a task: in the background
+    }
+    runs_.push_back(run);
+  };
+  for (const InstanceSyntax* instance : named) {
+    const auto block = blocks_.find(foldedName(instance->type));
+    if (block == blocks_.end() || block->second->kind != BlockKind::Program) {
+      error(Syntax::IecName, instance->span, fmt::format("there is no program {}", excerpt(instance->type)));
+      continue;
+    }
+    add(*block->second, instance->name, instance);
+  }
+  if (named.empty()) {
+    for (const BlockSyntax& block : project_.blocks) {
+      if (block.kind == BlockKind::Program) add(block, block.name, nullptr);
+    }
+  }
+  std::vector<const BlockSyntax*> own;
+  for (const BlockSyntax& block : project_.blocks) {
+    if (block.kind == BlockKind::FunctionBlock && !block.isLibrary) own.push_back(&block);
+  }
+  if (programs_.empty() && own.size() == 1) add(*own[0], own[0]->name, nullptr);
+  if (programs_.empty()) {
+    const Span place = project_.blocks.empty() ? Span{sink_.file(), 0, 0} : project_.blocks[0].span;
+    error(Syntax::IecNoProgram, place, "no program is there that could run");
+  }
+  const std::vector<BlockInstance*> all = programs_;
+  for (BlockInstance* program : all) makeRoutine(*program);
+  if (!all.empty()) makeMain();
+  // A block that nobody calls is made once, so that it is checked.
+  for (const BlockSyntax& block : project_.blocks) {
+    const bool isCalled = std::ranges::any_of(instances_, [&](const BlockInstance& instance) {
+      return instance.block == &block && (instance.routine >= 0 || instance.isCalled);
+    });
+    if (block.isLibrary || isCalled || block.kind == BlockKind::Program) continue;
+    try {
+      BlockInstance* made =
+          block.kind == BlockKind::Function ? functionNamed(foldedName(block.name)) : makeInstance(block, block.name);
+      if (made == nullptr) continue;
+      for (const VariableSyntax& variable : block.variables) {
+        const auto found = made->names.find(foldedName(variable.name));
+        if (variable.section != Section::InOut || found == made->names.end() || found->second.type == nullptr) continue;
+        found->second.offset = allocate(found->second.type->bytes);
+      }
+      makeRoutine(*made);
+    } catch (const Refused&) {
+    }
+  }
+}
+
+/// Inputs that the configuration connects, the body, outputs.
+void Lowering::callProgram(std::size_t number) {
+  BlockInstance& program = *programs_[number];
+  const ProgramRun& run = runs_[number];
+  const int skip = newLabel();
+  const Type& counter = *elementaryType("UDINT");
+  if (run.every > 1) {
+    load(counter, run.counter);
+    constant(0, 32);
+    emit("EQ", {32, 0});
+    jumpIfFalse(skip);
+  }
+  Scope outside, inner;
+  inner.self = &program;
+  if (run.instance != nullptr && run.instance->connections != nullptr) {
+    bindInputs(outside, program, *run.instance->connections, inner);
+  }
+  emit("CAL", {program.routine});
+  if (run.instance != nullptr && run.instance->connections != nullptr)
+    readOutputs(outside, program, *run.instance->connections);
+  if (run.every > 1) label(skip);
+}
+
+void Lowering::callTasks(const std::vector<std::size_t>& order) {
+  for (const std::size_t number : order) callProgram(number);
+}
+
+/// Time passes for the timers, then the programs that are due run in their order. All are due in the first scan.
+void Lowering::makeMain() {
+  Pou pou;
+  pou.kind = PouKind::Main;
+  pou.name = "CYCLE";
+  pou.isBuiltIn = true;
+  pou.span = programs_[0]->block->span;
+  Network network;
+  network.number = 1;
+  network.span = {pou.span.file, pou.span.offset, 0};
+  network_ = &network;
+  span_ = network.span;
+  for (const BlockInstance* timer : timers_) {
+    if (!timer->isCalled) continue;
+    emit("PASS");
+    last().operands.push_back(direct(Area::V, Width::Byte, timer->names.at("STATE").offset));
+    last().operands.push_back(direct(Area::V, Width::DWord, timer->names.at("ELAPSED").offset));
+    last().operands.push_back(
+        rungproof::constant(std::max<std::int64_t>(timer->longestPreset.value_or(0x7FFFFFFF), 1)));
+  }
+  std::vector<std::size_t> declared;
+  for (std::size_t i = 0; i < programs_.size(); ++i) declared.push_back(i);
+  std::vector<std::size_t> byPriority = declared;
+  std::ranges::stable_sort(byPriority, {}, [&](std::size_t i) { return runs_[i].priority; });
+  try {
+    if (byPriority == declared) {
+      callTasks(declared);
+    } else {
+      const int other = newLabel(), end = newLabel();
+      emit("READING", {static_cast<std::int64_t>(Choice::IecTaskOrder), 1});
+      jumpIfFalse(other);
+      callTasks(declared);
+      jump(end);
+      label(other);
+      callTasks(byPriority);
+      label(end);
+    }
+    const Type& counter = *elementaryType("UDINT");
+    for (const ProgramRun& run : runs_) {
+      if (run.every <= 1) continue;
+      load(counter, run.counter);
+      constant(1, 32);
+      emit("ADD", {32});
+      constant(run.every, 32);
+      emit("MOD", {32, 0});
+      store(counter, run.counter);
+    }
+  } catch (const Refused&) {
+    network.instructions.clear();
+    network.complete = false;
+  }
+  pou.networks.push_back(std::move(network));
+  network_ = nullptr;
+  program_.pous.insert(program_.pous.begin(), std::move(pou));
+}
+
+}  // namespace rungproof::iec
