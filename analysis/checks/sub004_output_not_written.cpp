@@ -37,14 +37,20 @@ const Instruction* conditionalWriter(const Facts& facts, const Flow& flow, const
 void checkOutputs(const Facts& facts, FindingSink& sink) {
   eachOwnBlock(facts, [&](std::uint32_t block, const Flow& flow) {
     for (const OutputGap& gap : unwrittenOutputs(facts, block)) {
-      Finding& finding = sink.report(
-          gap.output->span.length > 0 ? gap.output->span : flow.steps.front().instruction->span,
-          gap.isNeverWritten ? fmt::format("output {} of {} is never written", gap.output->name, flow.pou->name)
-                             : fmt::format("output {} of {} is not written on every path through it", gap.output->name,
-                                           flow.pou->name));
+      Finding& finding =
+          sink.report(gap.output->span.length > 0 ? gap.output->span : flow.steps.front().instruction->span,
+                      fmt::format("output {} of {} is {}", gap.output->name, flow.pou->name,
+                                  gap.isNeverWritten ? "never written"
+                                  : gap.isLatched    ? "only set and reset, and written in no other way"
+                                                     : "not written on every path through it"));
+      if (gap.isLatched) finding.severity = Severity::Note;  // of a bit that the caller keeps it makes a latch
       finding.address = "#" + gap.output->name;
       if (gap.exit != nullptr) finding.related.push_back({gap.exit->span, "the block can be left here"});
-      finding.help = "write the output before the first jump; without that the caller keeps its old value, or gets any";
+      finding.help = gap.isLatched
+                         ? "declare it in VAR_IN_OUT, or write it with = from a bit that lasts; the caller keeps its "
+                           "old value, or gets any"
+                         : "write the output before the first jump; without that the caller keeps its old value, or "
+                           "gets any";
     }
   });
 }
@@ -91,7 +97,9 @@ extern constexpr Rule sub004_output_not_written = {
     .needs = Needs::Flow,
     .detects =
         "a path through the routine that leaves an OUT parameter untouched; an OUT parameter written only by S and R, "
-        "or by one box with an enable; S7-300/400: an output or the return value of an FC that a path leaves out",
+        "or by one box with an enable; S7-300/400: an output or the return value of an FC that a path leaves out, a "
+        "note "
+        "where S and R alone write it",
     .why =
         "the caller gets whatever local memory held: outputs keep nothing between calls, and S and R write only with "
         "power flow",

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "analysis/flow/statement_paths.hpp"
+#include "analysis/flow/conditional_paths.hpp"
+#include "analysis/flow/logic_string.hpp"
 #include "ir/s7300/block.hpp"
 
 namespace rungproof {
@@ -78,7 +79,15 @@ class Temps {
       entry.onAllPaths.set(0, startInformationBytes * 8);
       entry.onSomePath.set(0, startInformationBytes * 8);
     }
-    const auto states = statesOf(flow_, entry, [&](Written& state, const FlowStep& step) { apply(state, step); });
+    const auto write = [&](Written& state, const FlowStep& step) { apply(state, step); };
+    std::vector<TempRead> reads = readsIn(statesOf(flow_, entry, write));
+    // Conditions are followed where it matters: a LAD box runs only where the one before it did.
+    if (!reads.empty()) reads = readsIn(statesOnConditionalPaths(facts_, flow_, entry, write));
+    return reads;
+  }
+
+ private:
+  std::vector<TempRead> readsIn(const std::vector<std::optional<Written>>& states) const {
     std::vector<TempRead> reads;
     std::set<std::size_t> told;
     for (std::size_t at = 0; at < flow_.steps.size(); ++at) {
@@ -86,8 +95,6 @@ class Temps {
     }
     return reads;
   }
-
- private:
   static LocalRange rangeOf(const Access& access) {
     if (access.width == Width::Bit) return {access.offset * std::size_t{8} + access.bit, 1};
     return {access.offset * std::size_t{8}, access.certainLength() * std::size_t{8}};
@@ -192,10 +199,16 @@ std::vector<OutputGap> unwrittenOutputs(const Facts& facts, std::uint32_t block)
   }
   if (outputs.empty()) return {};
   const std::size_t count = flow.pou->locals.size();
-  const auto states =
-      statesOf(flow, Written{AssignedBits(count), AssignedBits(count)}, [&](Written& state, const FlowStep& step) {
+  const LogicStates logic = logicStates(flow);
+  // S and R behind SET write as well as = does.
+  const auto isConditional = [&](const FlowStep& step) {
+    const std::optional<LogicState>& before = logic[static_cast<std::size_t>(&step - flow.steps.data())];
+    return statementRole(*step.instruction) == StatementRole::Latch && before && before->rlo != mayBe1;
+  };
+  const auto states = statesOnConditionalPaths(
+      facts, flow, Written{AssignedBits(count), AssignedBits(count)}, [&](Written& state, const FlowStep& step) {
         eachWrittenParameter(facts, *step.instruction, [&](std::uint32_t parameter) {
-          state.onAllPaths.set(parameter, 1);
+          if (!isConditional(step)) state.onAllPaths.set(parameter, 1);
           state.onSomePath.set(parameter, 1);
         });
       });
@@ -205,11 +218,14 @@ std::vector<OutputGap> unwrittenOutputs(const Facts& facts, std::uint32_t block)
   for (const LocalVariable* output : outputs) {
     const std::uint32_t parameter = output->address.reach->parameter;
     if (states[end]->onAllPaths.has(parameter)) continue;
-    OutputGap gap{output, nullptr, true};
+    OutputGap gap{output, nullptr, true, true};
     for (const FlowStep& step : flow.steps)
       eachWrittenParameter(facts, *step.instruction, [&](std::uint32_t written) {
-        gap.isNeverWritten = gap.isNeverWritten && written != parameter;
+        if (written != parameter) return;
+        gap.isNeverWritten = false;
+        gap.isLatched = gap.isLatched && isConditional(step);
       });
+    gap.isLatched = gap.isLatched && !gap.isNeverWritten;
     for (std::uint32_t at = 0; at < end && gap.exit == nullptr; ++at) {
       const StatementRole role = statementRole(*flow.steps[at].instruction);
       const bool leaves = role == StatementRole::End || role == StatementRole::EndByRlo;

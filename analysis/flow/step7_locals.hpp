@@ -23,6 +23,7 @@ struct OutputGap {
   const LocalVariable* output;
   const Instruction* exit;  ///< BEU or the like; nullptr: the end of the block
   bool isNeverWritten;      ///< no statement of the block writes it
+  bool isLatched;           ///< S and R alone write it, and only by a condition
 };
 /// Outputs and the return value of an FC; nothing of other blocks.
 std::vector<OutputGap> unwrittenOutputs(const Facts& facts, std::uint32_t block);
