@@ -11,6 +11,8 @@
 #include "analysis/rule.hpp"
 #include "ir/s7200/call_parameters.hpp"
 #include "ir/s7200/library_block.hpp"
+#include "ir/s7300/block.hpp"
+#include "ir/s7300/pointer_parameter.hpp"
 
 namespace rungproof {
 
@@ -175,26 +177,70 @@ void checkTables(const Facts& facts, FindingSink& sink) {
   }
 }
 
+/// Whether nobody knows its parameters: a listing may leave out the table of a protected block with its text.
+bool isWithoutTable(const Pou& callee) { return callee.protectedBlock && callee.locals.empty(); }
+
+/// Without the manual's word on the parameters there is nothing to hold against; of unknown names SYM001 speaks.
+void checkLibraryCall(const Facts& facts, FindingSink& sink, const Instruction& call, std::string_view name) {
+  const LibraryBlock* library = libraryBlockWith(name, call.operands.size() - 1);
+  if (library == nullptr && hasFixedParameters(facts.target(), name)) library = libraryBlockNamed(name);
+  if (library == nullptr) return;
+  std::vector<Formal> formals;
+  for (const LibraryParameter& p : library->parameters)
+    formals.push_back({p.name, sectionOf(p.direction), p.type, p.mayBeReal});
+  CallCheck(sink, call).run(name, formals, {});
+}
+
+bool hasParts(const LocalVariable& local) { return local.type == DataType::Array || local.type == DataType::Struct; }
+
+/// The parameter of an FC that the operand is, if it is an ARRAY or a STRUCT; nullptr otherwise.
+const LocalVariable* ownParameter(const Pou& caller, const Operand& operand) {
+  if (operand.reach == nullptr || operand.reach->way != Way::Parameter) return nullptr;
+  const auto found = std::ranges::find_if(caller.locals, [&](const LocalVariable& local) {
+    return hasParts(local) && isParameter(local) && local.address.reach != nullptr &&
+           local.address.reach->way == Way::Parameter && local.address.reach->parameter == operand.reach->parameter;
+  });
+  return found == caller.locals.end() ? nullptr : &*found;
+}
+
+/// S7-300/400: an FB, but no FC, may hand its parameters of ARRAY and STRUCT on (002:2166-2168). What such a call would
+/// do is clear, so the program is not refused for it.
+void checkHandedOn(const Facts& facts, FindingSink& sink) {
+  for (const CallSite& site : facts.calls().sites()) {
+    const Pou& caller = facts.program().pous[site.caller];
+    if (caller.type != BlockType::Fc || site.callee == noBlock) continue;
+    const Pou& callee = facts.program().pous[site.callee];
+    std::size_t at = hasInstance(callee) ? 2 : 1;
+    for (const LocalVariable& formal : callee.locals) {
+      if (!isParameter(formal) || at >= site.instruction->operands.size()) continue;
+      const Operand& actual = site.instruction->operands[at++];
+      const LocalVariable* own = hasParts(formal) ? ownParameter(caller, actual) : nullptr;
+      if (own == nullptr) continue;
+      Finding& finding =
+          sink.report(actual.span.length > 0 ? actual.span : site.instruction->span,
+                      fmt::format("{} hands its parameter {} on to {}; an FC cannot do that with an {}", caller.name,
+                                  own->name, callee.name, own->type == DataType::Array ? "ARRAY" : "STRUCT"));
+      finding.refused = false;
+      finding.address = "#" + own->name;
+      finding.related.push_back({own->span, fmt::format("{} is declared here", own->name)});
+      finding.help = "copy it into temporary data with SFC 20 and hand that on, or make the block an FB (002:2166)";
+    }
+  }
+}
+
 void checkSub003(const Facts& facts, FindingSink& sink) {
+  if (facts.plan().isStep7()) return checkHandedOn(facts, sink);
   checkTables(facts, sink);
   for (const CallSite& site : facts.calls().sites()) {
     const Instruction& call = *site.instruction;
     if (call.operands.empty()) continue;
     const Operand& target = call.operands[0];
-    if (site.callee != noBlock) {
-      const Pou& callee = facts.program().pous[site.callee];
+    const Pou* callee = site.callee == noBlock ? nullptr : &facts.program().pous[site.callee];
+    if (callee != nullptr && !isWithoutTable(*callee)) {
       CallCheck(sink, call)
-          .run(callee.name, formalsOf(callee), callee.locals.empty() ? Span{} : callee.locals.front().span);
-    } else if (target.kind == OperandKind::Symbol) {
-      const LibraryBlock* library = libraryBlockWith(target.text, call.operands.size() - 1);
-      // Without the manual's word on the parameters there is nothing to hold against; of unknown names SYM001 speaks.
-      if (library == nullptr && hasFixedParameters(facts.target(), target.text))
-        library = libraryBlockNamed(target.text);
-      if (library == nullptr) continue;
-      std::vector<Formal> formals;
-      for (const LibraryParameter& p : library->parameters)
-        formals.push_back({p.name, sectionOf(p.direction), p.type, p.mayBeReal});
-      CallCheck(sink, call).run(target.text, formals, {});
+          .run(callee->name, formalsOf(*callee), callee->locals.empty() ? Span{} : callee->locals.front().span);
+    } else if (callee != nullptr || target.kind == OperandKind::Symbol) {
+      checkLibraryCall(facts, sink, call, callee != nullptr ? std::string_view(callee->name) : target.text);
     } else if (target.kind == OperandKind::Constant && call.operands.size() == 1 && facts.program().main() != nullptr) {
       sink.report(call.span, fmt::format("{} calls a subroutine that the program does not have", Facts::text(call)))
           .help = "add the subroutine, or correct the number (error 0087, 001:13989)";
@@ -211,11 +257,12 @@ extern constexpr Rule sub003_call_does_not_match = {
     .needs = Needs::Text,
     .detects =
         "number, direction, width or kind of the actual parameters that do not fit the local variable table of the "
-        "called block; more than 16 parameters; a call without parameters of a subroutine that does not exist",
+        "called block; more than 16 parameters; a call without parameters of a subroutine that does not exist; "
+        "S7-300/400: an FC that hands its own parameter of ARRAY or STRUCT on",
     .why =
         "no conversion is made and the order is fixed, so the values land in the wrong bytes; error 009E or 0087 at "
         "download",
-    .manual = "001:6813, 001:6823, 001:6775, 001:14008",
+    .manual = "001:6813, 001:6823, 001:6775, 001:14008, 002:2166-2168",
     .bad =
         "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0, VB10\nEND_ORGANIZATION_BLOCK\n"
         "SUBROUTINE_BLOCK SBR_0:SBR0\nVAR_INPUT\nLevel:WORD;\nEND_VAR\nBEGIN\nNetwork 1\nLD SM0.0\nMOVW LW0, "
@@ -225,7 +272,7 @@ extern constexpr Rule sub003_call_does_not_match = {
         "SUBROUTINE_BLOCK SBR_0:SBR0\nVAR_INPUT\nLevel:WORD;\nEND_VAR\nBEGIN\nNetwork 1\nLD SM0.0\nMOVW LW0, "
         "VW100\nEND_SUBROUTINE_BLOCK\n",
     .peers = "CP17; SA0107; ironplc P4018; iec-checker CP17",
-    .dialects = dialect::S7200,
+    .dialects = dialect::Every,
     .refuses = true,
     .check = checkSub003,
 };

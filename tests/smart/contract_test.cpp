@@ -228,6 +228,18 @@ TEST(Contract, AProtectedBlockIsDescribedByItsTable) {
   EXPECT_EQ(provedOn(call, "Q0.4 = I0.0", block).outcome, Outcome::Proved);
 }
 
+// What the library's row says stands where the listing has no table.
+TEST(Contract, AProtectedLibraryBlockNeedsNoTable) {
+  const std::string block =
+      "SUBROUTINE_BLOCK MBUS_CTRL:SBR4\nBEGIN\nNetwork 1 // This POU is password-protected against editing and "
+      "viewing.\nEND_SUBROUTINE_BLOCK\n";
+  const std::string call = "LD SM0.0;CALL SBR4, SM0.0, 9600, 0, 1000, M0.1, MB1|LD I0.0;= Q0.4";
+  EXPECT_EQ(provedOn(call, "Q0.4 = I0.0", block).outcome, Outcome::Proved);
+  EXPECT_EQ(provedOn(call, "VW0 = 0", block).outcome, Outcome::Proved) << "no output";
+  EXPECT_EQ(provedOn(call, "never M0.1", block).outcome, Outcome::Violated) << "Done";
+  EXPECT_EQ(provedOn(call, "MB1 = 0", block).outcome, Outcome::Violated) << "Error";
+}
+
 std::vector<std::string> rulesOn(const std::string& text) {
   const Program program = readText("test.awl", text, {.target = callingCpu});
   const Facts facts(program);
