@@ -28,15 +28,48 @@ bool namesStartInformation(std::string_view name) {
   return std::ranges::any_of(parts, [&](std::string_view part) { return name.find(part) != std::string_view::npos; });
 }
 
+/// TEMP0, TEMP12: what an upload calls variables whose names stand in no project.
+bool isNameOfUpload(std::string_view name) {
+  if (name.size() < 5) return false;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto c = static_cast<unsigned char>(name[i]);
+    if (i < 4 ? std::toupper(c) != "TEMP"[i] : std::isdigit(c) == 0) return false;
+  }
+  return true;
+}
+
+/// Whether the declarations end the start information as it ends in every OB: by a DATE_AND_TIME at byte 12.
+bool hasTimeOfStart(const Pou& pou) {
+  return std::ranges::any_of(pou.locals, [](const LocalVariable& local) {
+    return local.section == VarSection::Temp && local.type == DataType::DateAndTime &&
+           local.address.offset == startBytes - 8;
+  });
+}
+
+/// Whether the block writes below byte 20: the names of an upload do not tell, but nobody writes the start information.
+bool writesStartInformation(const Facts& facts, std::uint32_t block) {
+  for (const FlowStep& step : facts.plan().flows[block].steps) {
+    for (const Access& access : facts.accesses().of(step.id())) {
+      if (access.write && !access.viaPointer && access.area == Area::L && access.offset < startBytes) return true;
+    }
+  }
+  return false;
+}
+
 void checkObl001(const Facts& facts, FindingSink& sink) {
-  for (const Pou& pou : facts.program().pous) {
-    if (pou.type != BlockType::Ob) continue;
+  for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
+    const Pou& pou = facts.program().pous[block];
+    if (pou.type != BlockType::Ob || hasTimeOfStart(pou)) continue;
     const auto own = std::ranges::find_if(pou.locals, [](const LocalVariable& local) {
       const bool isStandIn = local.address.offset == 0 && local.size == startBytes;
       return local.section == VarSection::Temp && local.address.offset < startBytes && !isStandIn &&
              !namesStartInformation(local.name);
     });
     if (own == pou.locals.end()) continue;
+    const bool areNamesLost = std::ranges::all_of(pou.locals, [](const LocalVariable& local) {
+      return local.section != VarSection::Temp || isNameOfUpload(local.name) || namesStartInformation(local.name);
+    });
+    if (areNamesLost && !writesStartInformation(facts, block)) continue;
     Finding& finding =
         sink.report(own->span, fmt::format("{} of {} lies at byte {} of its local data, in the start information",
                                            own->name, pou.name, own->address.offset));
@@ -51,7 +84,10 @@ extern constexpr Rule obl001_start_information_covered = {
     .title = "Own variables in the start information of an OB",
     .severity = Severity::Warning,
     .needs = Needs::Text,
-    .detects = "a temporary variable of an OB below byte 20 whose name is none of the start information",
+    .detects =
+        "a temporary variable of an OB below byte 20 whose name is none of the start information; not where a "
+        "DATE_AND_TIME at byte 12 ends it; where all are called TEMP0, TEMP1 ... as after an upload, only if the block "
+        "writes there",
     .why = "the operating system writes the first 20 bytes of the local data of every OB before it starts",
     .manual = "002:2000-2015",
     .bad =

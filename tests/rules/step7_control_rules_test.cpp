@@ -155,6 +155,10 @@ TEST(Step7Locals, OwnNamesLieBehindTheStartInformation) {
     return "ORGANIZATION_BLOCK OB 1\nVAR_TEMP\n" + temps +
            "END_VAR\nBEGIN\nNETWORK\nL 1;\nT MW 0;\nEND_ORGANIZATION_BLOCK\n";
   };
+  std::string uploaded;
+  for (int i = 0; i < 6; ++i) uploaded += "TEMP" + std::to_string(i) + " : BYTE;\n";
+  uploaded += "TEMP6 : INT;\nTEMP7 : INT;\nTEMP8 : INT;\nTEMP9 : DATE_AND_TIME;\n";
+  const std::string foreign = "Ereignis : ARRAY[0..11] OF BYTE;\nZeitpunkt : DATE_AND_TIME;\n";
   expectFindings("OBL001",
                  {{"own name first", 1, ob("Step : INT;\n")},
                   {"behind two bytes", 1, ob("OB1_EV_CLASS : BYTE;\nOB1_SCAN_1 : BYTE;\nStep : INT;\n")},
@@ -170,7 +174,87 @@ TEST(Step7Locals, OwnNamesLieBehindTheStartInformation) {
                    ob("OB1_EV_CLASS : BYTE;\nOB1_SCAN_1 : BYTE;\nOB1_PRIORITY : BYTE;\nOB1_OB_NUMBR : BYTE;\n"
                       "OB1_RESERVED_1 : BYTE;\nOB1_RESERVED_2 : BYTE;\nOB1_PREV_CYCLE : INT;\n"
                       "OB1_MIN_CYCLE : INT;\nOB1_MAX_CYCLE : INT;\nOB1_DATE_TIME : DATE_AND_TIME;\nStep : INT;\n")},
+                  {"an upload's names", 0, ob(uploaded + "TEMP10 : INT;\n")},
+                  {"names of another language", 0, ob(foreign + "Schritt : INT;\n")},
+                  {"an upload without the time", 0, ob("TEMP0 : BYTE;\nTEMP1 : WORD;\n")},
+                  {"an upload that writes there", 1,
+                   "ORGANIZATION_BLOCK OB 1\nVAR_TEMP\nTEMP0 : INT;\nEND_VAR\nBEGIN\nNETWORK\nL 1;\nT #TEMP0;\n"
+                   "END_ORGANIZATION_BLOCK\n"},
+                  {"a time at another place", 1, ob("At : DATE_AND_TIME;\nStep : INT;\n")},
                   {"an FC has none", 0, fc(1, "L 1;\nT #X;", "VAR_TEMP\nX : INT;\nEND_VAR\n")}});
+}
+
+// A LAD box leaves its ENO in BR (003:1205): what stands behind A BR and JNB runs only where the box ran.
+TEST(Step7Locals, ConditionsAreFollowedAlongThePaths) {
+  const std::string temp = "VAR_INPUT\nGo : BOOL;\nEND_VAR\nVAR_TEMP\nX : INT;\nB : BOOL;\nEND_VAR\n";
+  const std::string box = "A #Go;\nJNB _001;\nL MW 10;\nL 5;\n+I;\nT #X;\nAN OV;\nSAVE;\nCLR;\n_001: ";
+  const std::string use = "L #X;\nT MW 20;\n_002: NOP 0;";
+  expectFindings(
+      "SUB005",
+      {{"the chain of the LAD compiler", 0, fc(1, box + "A BR;\nJNB _002;\n" + use, temp)},
+       {"with a contact in between", 0, fc(1, box + "A BR;\nA M 0.0;\nJNB _002;\n" + use, temp)},
+       {"BR in parentheses", 0, fc(1, "A(;\n" + box + "A BR;\n);\nA M 0.0;\nJNB _002;\n" + use, temp)},
+       {"BR kept in a bit", 0, fc(1, box + "A BR;\n= #B;\nA #B;\nJNB _002;\n" + use, temp)},
+       {"JNBI", 0, fc(1, box + "JNBI _002;\n" + use, temp)},
+       {"the same input twice", 0, fc(1, "A #Go;\nJCN m;\nL 1;\nT #X;\nm: A #Go;\nJCN _002;\n" + use, temp)},
+       {"a temporary bit twice", 0,
+        fc(1, "A I 0.0;\n= #B;\nA #B;\nJCN m;\nL 1;\nT #X;\nm: A #B;\nJCN _002;\n" + use, temp)},
+       {"either this or that", 0,
+        fc(1, "A I 0.0;\nJCN m;\nL 1;\nT #X;\nm: AN I 0.0;\nJCN n;\nL 2;\nT #X;\nn: " + use, temp)},
+       {"three boxes in a row", 0,
+        fc(1, box + "A BR;\nJNB _003;\nL #X;\nL 2;\n*I;\nT #X;\nAN OV;\nSAVE;\nCLR;\n_003: A BR;\nJNB _002;\n" + use,
+           temp)},
+       {"BR of the inverse", 1, fc(1, box + "AN BR;\nJNB _002;\n" + use, temp)},
+       {"BR in parallel", 1, fc(1, box + "A BR;\nO M 0.0;\nJNB _002;\n" + use, temp)},
+       {"a call in between", 1, fc(2, "A I 0.0;\n= Q 0.0;") + fc(1, box + "UC FC 2;\nA BR;\nJNB _002;\n" + use, temp)},
+       {"BR set anew", 1, fc(1, box + "SET;\nSAVE;\nA BR;\nJNB _002;\n" + use, temp)},
+       {"another input", 1, fc(1, "A #Go;\nJCN m;\nL 1;\nT #X;\nm: A I 0.1;\nJCN _002;\n" + use, temp)},
+       {"the bit has changed", 1,
+        fc(1, "A I 0.0;\n= #B;\nA #B;\nJCN m;\nL 1;\nT #X;\nm: A I 0.1;\n= #B;\nA #B;\nJCN _002;\n" + use, temp)},
+       {"the word around the bit has changed", 1,
+        fc(1, "A M 4.0;\nJCN m;\nL 1;\nT #X;\nm: L 7;\nT MW 4;\nA M 4.0;\nJCN _002;\n" + use, temp)},
+       {"in a zone of the master control relay", 1,
+        fc(1, "MCRA;\n" + box + "A I 0.0;\nMCR(;\nA BR;\nJNB _002;\nL #X;\nT MW 20;\n_002: )MCR;\nMCRD;", temp)}});
+}
+
+TEST(Step7Locals, OutputsOfAnFcThatAreOnlySetAndReset) {
+  const std::string out = "VAR_INPUT\nA : BOOL;\nEND_VAR\nVAR_OUTPUT\nQ : BOOL;\nEND_VAR\n";
+  expectFindings("SUB004",
+                 {{"S and R", 1, fc(1, "A #A;\nS #Q;\nA I 0.0;\nR #Q;", out)},
+                  {"S alone", 1, fc(1, "A #A;\nS #Q;", out)},
+                  {"R alone", 1, fc(1, "AN #A;\nR #Q;", out)},
+                  {"S on every way", 1, fc(1, "A #A;\nJC m;\nA I 0.0;\nS #Q;\nBEU;\nm: A I 0.1;\nR #Q;", out)},
+                  {"S behind an edge", 1, fc(1, "A #A;\nFP M 0.0;\nS #Q;\nA I 0.0;\nR #Q;", out)},
+                  {"= on one way", 1, fc(1, "A #A;\nS #Q;\nA I 0.0;\nJC m;\nA I 0.1;\n= #Q;\nm: NOP 0;", out)},
+                  {"=", 0, fc(1, "A #A;\n= #Q;", out)},
+                  {"cleared first", 0, fc(1, "CLR;\n= #Q;\nA #A;\nS #Q;", out)},
+                  {"R behind SET first", 0, fc(1, "SET;\nR #Q;\nA #A;\nS #Q;", out)},
+                  {"S behind SET", 0, fc(1, "SET;\nS #Q;", out)},
+                  {"in and out", 0, fc(1, "A I 0.0;\nS #Q;\nA I 0.1;\nR #Q;", "VAR_IN_OUT\nQ : BOOL;\nEND_VAR\n")},
+                  {"of an FB", 0, fb(1, "A I 0.0;\nS #Q;\nA I 0.1;\nR #Q;", "VAR_OUTPUT\nQ : BOOL;\nEND_VAR\n")}});
+}
+
+TEST(Step7Control, AnFcHandsNoArrayOn) {
+  const std::string array = "ARRAY [0..3] OF INT;\n", record = "STRUCT\nX : INT;\nY : INT;\nEND_STRUCT;\n";
+  const auto with = [](const std::string& type, const std::string& section = "VAR_INPUT") {
+    return section + "\nA : " + type + "END_VAR\n";
+  };
+  const std::string use = "L MW 0;\nT MW 10;", call = "CALL FC 2 (A := #A);";
+  expectFindings("SUB003",
+                 {{"an ARRAY", 1, fc(2, use, with(array)) + fc(1, call, with(array))},
+                  {"a STRUCT", 1, fc(2, use, with(record)) + fc(1, call, with(record))},
+                  {"an output", 1, fc(2, use, with(array, "VAR_OUTPUT")) + fc(1, call, with(array, "VAR_OUTPUT"))},
+                  {"in and out", 1, fc(2, use, with(array, "VAR_IN_OUT")) + fc(1, call, with(array, "VAR_IN_OUT"))},
+                  {"to an FB", 1,
+                   fb(2, use, with(array)) + instanceDb(2, "FB 2") + fc(1, "CALL FB 2, DB 2 (A := #A);", with(array))},
+                  {"twice", 2, fc(2, use, with(array)) + fc(1, call + "\n" + call, with(array))},
+                  {"an FB may", 0, fc(2, use, with(array)) + fb(1, call, with(array)) + instanceDb(1, "FB 1")},
+                  {"one element", 0, fc(2, use, with("INT;\n")) + fc(1, "CALL FC 2 (A := #A[1]);", with(array))},
+                  {"a number", 0, fc(2, use, with("INT;\n")) + fc(1, call, with("INT;\n"))},
+                  {"temporary data", 0, fc(2, use, with(array)) + fc(1, call, with(array, "VAR_TEMP"))},
+                  {"a block's data", 0,
+                   fc(2, use, with(array)) + db(5, "A : ARRAY [0..3] OF INT;") + ob1("CALL FC 2 (A := DB5.A);")},
+                  {"it is used", 0, fc(1, "L #A[0];\nT MW 10;", with(array))}});
 }
 
 }  // namespace
