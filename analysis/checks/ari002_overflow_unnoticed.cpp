@@ -15,8 +15,18 @@ namespace {
 
 bool isReal(const Desc& desc) { return desc.operands[0].type == Type::Real; }
 bool isProduct(const Desc& desc) { return desc.role == Role::Mul && !isReal(desc); }
-bool isGrowth(const Desc& desc) {
-  return desc.role == Role::Increment || desc.role == Role::Decrement || (desc.role == Role::Add && !isReal(desc));
+/// INC and DEC of any width.
+bool isCountingStep(const Desc& desc) { return desc.role == Role::Increment || desc.role == Role::Decrement; }
+bool isGrowth(const Desc& desc) { return isCountingStep(desc) || (desc.role == Role::Add && !isReal(desc)); }
+
+/// What becomes of a value behind the end of its type. The manual repeats its rule about operands for no INC and DEC.
+std::string stepOverflow(const Desc& desc) {
+  const bool isByte = desc.operands[0].type == Type::Byte, isDouble = desc.operands[0].type == Type::DInt;
+  const bool isUp = desc.role == Role::Increment;
+  const std::string_view low = isByte ? "0" : isDouble ? "-2147483648" : "-32768";
+  const std::string_view high = isByte ? "255" : isDouble ? "2147483647" : "32767";
+  return fmt::format("{} goes on from {} with {} (001:4999; 'increment-overflow' names the other reading)", desc.stl,
+                     isUp ? high : low, isUp ? low : high);
 }
 
 /// Whether one of the next instructions asks ENO or SM1.1: in the same network or the one after it.
@@ -103,9 +113,9 @@ void checkAri002(const Facts& facts, FindingSink& sink) {
                           Facts::text(instruction));
     Finding& finding = sink.report(instruction.span, text);
     finding.address = name;
-    finding.help =
-        "on overflow the operands stay as they were (001:4814); add AENO and a reaction, limit the value, or use a "
-        "wider type";
+    finding.help = fmt::format(
+        "{}; add AENO and a reaction, limit the value, or use a wider type",
+        isCountingStep(desc) ? stepOverflow(desc) : "on overflow the operands stay as they were (001:4814)");
   }
 }
 
@@ -122,9 +132,10 @@ extern constexpr Rule ari002_overflow_unnoticed = {
         "a product of two variables, or on an S7-200 a value that only grows, whose overflow the program asks for "
         "neither by ENO or SM1.1 nor by OV or OS",
     .why =
-        "S7-200: on overflow the operands stay as they were, so the program goes on with the old value; S7-300/400: "
-        "what is stored is no longer the product",
-    .manual = "001:4814, 002:1563-1578",
+        "S7-200: on overflow a product or a sum leaves the operands as they were, so the program goes on with the old "
+        "value, and INC and DEC go on at the other end of their range; S7-300/400: what is stored is no longer the "
+        "product",
+    .manual = "001:4814, 001:4999-5028, 002:1563-1578",
     .bad = "Network 1\nLD SM0.0\nMOVW AIW0, VW0\n*I VW2, VW0\n",
     .good = "Network 1\nLD SM0.0\nMOVW AIW0, VW0\n*I VW2, VW0\nAENO\nNOT\n= M0.0\n",
     .falsePositives = "values whose range is known from elsewhere: on an S7-200 the prover drops them",
