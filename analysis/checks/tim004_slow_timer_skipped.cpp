@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "analysis/asking/asking.hpp"
 #include "analysis/flow/facts.hpp"
@@ -62,6 +63,18 @@ Graph::Bool skipsInactiveSegments(Asking& asking) {
   return {cell->start};
 }
 
+/// The box to speak of: the first that may be left out, else the second, else the only one.
+const Instruction* accused(Asking& asking, const std::vector<const Instruction*>& boxes, Graph::Bool isWhole) {
+  Graph& graph = asking.graph();
+  for (const Instruction* box : boxes) {
+    const Asking::Runs* runs = asking.runsOf(*box);
+    if (runs == nullptr) return box;
+    const auto isSkipped = graph.truth(graph.land(isWhole, graph.lnot(runs->guard)));
+    if (!isSkipped || *isSkipped) return box;
+  }
+  return boxes.size() > 1 ? boxes[1] : boxes.front();
+}
+
 /// 001:6611: boxes of a 100 ms timer run exactly once in every scan; more than one, or none, makes it run wrongly. A
 /// box in an inactive segment runs without power flow, as the manual's own sequences take it (001:6575), unless the
 /// other reading was chosen.
@@ -70,10 +83,12 @@ void askTim004(Asking& asking, const Instruction& box) {
   if (!isBoxOf(box, Type::Timer) || timerResolution(static_cast<int>(timer.offset)) != 100) return;
   Graph& graph = asking.graph();
   Graph::Bool some = graph.constant(false), twice = some;
+  std::vector<const Instruction*> boxes;
   for (const Visit& visit : asking.record().visits()) {
     if (!isBoxOf(*visit.instruction, Type::Timer) || visit.instruction->operands[0].offset != timer.offset) continue;
     twice = graph.lor(twice, graph.land(some, {visit.guard}));
     some = graph.lor(some, {visit.guard});
+    if (std::ranges::find(boxes, visit.instruction) == boxes.end()) boxes.push_back(visit.instruction);
   }
   if (some.node == graph.constant(false).node) return;  // in a block that nothing calls
   // Of a scan that a fatal error has cut off nothing is asked.
@@ -86,7 +101,7 @@ void askTim004(Asking& asking, const Instruction& box) {
               .message = fmt::format(
                   "{} has a resolution of 100 ms, but its box does not run exactly once in every scan", name),
               .address = name,
-              .place = &box,
+              .place = accused(asking, boxes, isWhole),
               .bad = bad});
 }
 

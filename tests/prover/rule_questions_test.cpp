@@ -308,6 +308,25 @@ TEST(Suspicion, TimerBehindAJumpOrACall) {
   EXPECT_EQ(of("TIM004", findingsOf("Network 1\nLD I0.0\nCALL SBR_0\n" + reads, block)), Found{"T37"});
 }
 
+// Of two boxes the one that may be left out is the one to look at.
+TEST(Suspicion, OfTwoBoxesTheOneThatIsLeftOut) {
+  const std::string runs = "Network 1\nLD I0.0\nTON T37, 10\n", reads = "Network 4\nLBL 1\nLD T37\n= Q0.0\n";
+  const auto placesOf = [](const std::string& text) {
+    std::vector<int> networks;
+    for (const Finding& finding : findingsOf(text)) {
+      if (finding.rule == "TIM004") networks.push_back(finding.network);
+    }
+    return networks;
+  };
+  const std::string skipped = "Network 2\nLD I0.2\nJMP 1\nNetwork 3\nLD I0.1\nTON T37, 10\n";
+  EXPECT_EQ(placesOf(runs + skipped + reads), std::vector<int>{3});
+  EXPECT_EQ(placesOf("Network 2\nLD I0.2\nJMP 1\nNetwork 3\nLD I0.1\nTON T37, 10\nNetwork 4\nLBL 1\nNetwork 5\nLD "
+                     "I0.0\nTON T37, 10\nNetwork 6\nLD T37\n= Q0.0\n"),
+            std::vector<int>{3});
+  // Both run in every scan: the second counts the time twice.
+  EXPECT_EQ(placesOf(runs + "Network 2\nLD I0.1\nTON T37, 10\nNetwork 3\nLD T37\n= Q0.0\n"), std::vector<int>{2});
+}
+
 TEST(Course, NetworkBehindAJumpThatIsAlwaysTaken) {
   const std::string exclusive =
       "Network 1\nLD I0.0\n= M0.0\nNetwork 2\nLD I0.0\nO M0.0\nON M0.0\nJMP 1\nNetwork 3\nLD I0.2\n= Q0.0\nNetwork "
