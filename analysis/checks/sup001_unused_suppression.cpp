@@ -9,7 +9,9 @@ extern constexpr Rule sup001_unused_suppression = {
     .title = "Unused or unknown suppression",
     .severity = Severity::Warning,
     .needs = Needs::Text,
-    .detects = "an allow-comment that silences no finding, or that names a rule which does not exist",
+    .detects =
+        "an allow-comment that silences no finding, or that names a rule which does not exist; the former only where "
+        "all of the program could be read, as rules hold back beside what could not",
     .why = "a suppression that outlived its cause would silence the next, real finding at that place",
     .peers = "ruff RUF100; eslint --report-unused-disable-directives; cppcheck unmatchedSuppression",
     .surplus = true,

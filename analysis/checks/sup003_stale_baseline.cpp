@@ -9,7 +9,8 @@ extern constexpr Rule sup003_stale_baseline = {
     .title = "Baseline entry is stale",
     .severity = Severity::Note,
     .needs = Needs::Text,
-    .detects = "an entry of the baseline file that matches no finding of this run",
+    .detects =
+        "an entry of the baseline file that matches no finding of this run, where all of the program could be read",
     .why = "a baseline only ever shrinks; an entry that is left over would hide a new finding of the same kind",
     .peers = "eslint --prune-suppressions",
 };

@@ -192,8 +192,13 @@ std::size_t applySuppressions(const Program& program, const KnownRules& rules, s
 
   const PlaceIndex places(program);
   const std::size_t before = findings.size();
+  const auto isReadersError = [](const Finding& finding) {
+    return finding.severity == Severity::Error && finding.rule.starts_with("SYN");
+  };
+  // Rules that hold back because of what could not be read say nothing about their comments either.
+  const bool isWhole = std::ranges::none_of(findings, isReadersError);
   std::erase_if(findings, [&](const Finding& finding) {
-    if (finding.severity == Severity::Error && finding.rule.starts_with("SYN")) return false;
+    if (isReadersError(finding)) return false;
     const auto [first, last] = byId.equal_range(finding.rule);
     if (first == last) return false;
     const ProgramPlace place = places.at(finding.span);
@@ -218,7 +223,7 @@ std::size_t applySuppressions(const Program& program, const KnownRules& rules, s
       if (!rules.exists(id)) {
         findings.push_back(suppressionFinding(allow, "SUP001", fmt::format("no rule is called {}", id),
                                               "'rungproof rules' lists them"));
-      } else if (rules.ran(id) && !used[{&allow, id}]) {
+      } else if (isWhole && rules.ran(id) && !used[{&allow, id}]) {
         findings.push_back(suppressionFinding(allow, "SUP001",
                                               fmt::format("{} is allowed here, but nothing reports it", id),
                                               "remove it from the comment"));

@@ -171,6 +171,8 @@ void applyBaseline(const Baseline& baseline, std::uint32_t file,
   const std::size_t before = report.findings.size();
   const std::vector<std::size_t> left = subtract(baseline, *report.sources, report.findings);
   report.baselined += before - report.findings.size();
+  // Rules hold back where a text could not be read: what they do not report may still be there.
+  if (std::ranges::any_of(report.findings, isReadError)) return;
   for (std::size_t i = 0; i < left.size(); ++i) {
     const BaselineEntry& entry = baseline.entries[i];
     const std::size_t rest = left[i];

@@ -45,6 +45,16 @@ TEST(Baseline, HidesWhatItLists) {
   EXPECT_EQ(now.baselined, 2u);
 }
 
+TEST(Baseline, NothingIsStaleWhileATextCannotBeRead) {
+  const Report old = reportOf("LD I0.9\n= Q0.9\n", {"I0.9", "Q0.9"});
+  Report now = reportOf("LDX I0.9\n= Q0.9\n", {"I0.9"});
+  now.findings[0].rule = "SYN010";
+  now.findings[0].severity = Severity::Error;
+  const Report left = withBaseline(now, toJson(baselineOf(old)));
+  ASSERT_EQ(left.findings.size(), 1u);
+  EXPECT_EQ(left.findings[0].rule, "SYN010");
+}
+
 TEST(Baseline, SurvivesEditsElsewhere) {
   const Report old = reportOf("LD I0.9\n= Q0.0\n", {"I0.9"});
   const Report moved = reportOf("LD I0.1\n= Q0.1\nLD   I0.9\n= Q0.0\n", {"I0.9"});

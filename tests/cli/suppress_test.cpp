@@ -121,6 +121,25 @@ TEST(ApplySuppressions, RulesThatDidNotRunAreNotCalledUnused) {
   EXPECT_TRUE(findings.empty());
 }
 
+// Rules hold back beside what could not be read, so their silence says nothing about a comment.
+TEST(ApplySuppressions, NothingIsUnusedWhileATextCannotBeRead) {
+  const Program program = programOf("Network 1\nLD I0.1 // rungproof: allow OUT003 reason\n= Q0.1\n");
+  for (const char* id : {"SYN010", "SYN018", "SYN049"}) {
+    std::vector<Finding> findings = {findingAt(program, "Q0.1", id)};
+    EXPECT_EQ(applySuppressions(program, everyRuleRan(), findings), 0u);
+    EXPECT_EQ(rulesOf(findings), std::vector<std::string>{id});
+  }
+  // A note of the readers hides nothing; a rule that does not exist is said in any case.
+  std::vector<Finding> noted = {findingAt(program, "Q0.1", "SYN026")};
+  noted[0].severity = Severity::Note;
+  applySuppressions(program, everyRuleRan(), noted);
+  EXPECT_EQ(rulesOf(noted), (std::vector<std::string>{"SYN026", "SUP001"}));
+  const Program unknown = programOf("Network 1\nLD I0.1 // rungproof: allow XYZ999 reason\n= Q0.1\n");
+  std::vector<Finding> broken = {findingAt(unknown, "Q0.1", "SYN010")};
+  applySuppressions(unknown, everyRuleRan(), broken);
+  EXPECT_EQ(rulesOf(broken), (std::vector<std::string>{"SYN010", "SUP001"}));
+}
+
 TEST(ApplySuppressions, WithoutCodeOrReasonItSilencesNothing) {
   for (const char* comment :
        {"allow", "allow ADR001", "allow ADR001 - ", "allow because", "disable ADR001 reason", ""}) {
