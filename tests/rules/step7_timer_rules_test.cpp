@@ -107,5 +107,36 @@ TEST(S5Rules, EdgesThatMayBeSkipped) {
                   {"behind the label", 0, ob1("A I 0.0;\nJC m;\nL 1;\nT MW 4;\nm: A I 0.1;\nFP M 1.0;\n= Q 0.0;")}});
 }
 
+/// TIM008 where MB100 is the clock memory: M100.5 has a period of 1 s, M100.7 one of 2 s.
+std::size_t neverFires7(const std::string& text) {
+  Linted linted(text, {*cpuNamed("319-3"), usualEdition(*cpuNamed("319-3"))});
+  linted.program.clockMemory = 100;
+  const Facts facts(linted.program);
+  const RuleSettings settings;
+  FindingSink sink(linted.program, settings);
+  sink.begin(*ruleNamed("TIM008"));
+  ruleNamed("TIM008")->check(facts, sink);
+  return sink.take().size();
+}
+
+TEST(S5Rules, AClockBitIsShorterThanTheTimer) {
+  const std::string read = "A T 1;\n= Q 0.0;";
+  for (const char* const start :
+       {"A M 100.5;\nL S5T#2S;\nSD T 1;\n", "AN M 100.5;\nL S5T#2S;\nSD T 1;\n",
+        "A I 0.0;\nA M 100.5;\nA I 0.1;\nL S5T#2S;\nSD T 1;\n", "A M 100.7;\nL S5T#1M;\nSD T 1;\n",
+        "A M 100.0;\nL W#16#0100;\nSD T 1;\n", "A I 0.0;\nFP M 1.0;\nL S5T#2S;\nSD T 1;\n"})
+    EXPECT_EQ(neverFires7(ob1(std::string(start) + read)), 1U) << start;
+  for (const char* const start :
+       {"A M 100.5;\nL S5T#900MS;\nSD T 1;\n", "A M 100.5;\nL S5T#2S;\nSS T 1;\n",  // SS keeps running
+        "A M 100.5;\nL S5T#2S;\nSE T 1;\n",                                         // SE runs on, too
+        "A M 100.5;\nO I 0.0;\nL S5T#2S;\nSD T 1;\n", "A M 101.5;\nL S5T#2S;\nSD T 1;\n",
+        "A M 100.5;\nL MW 10;\nSD T 1;\n", "A(;\nO M 100.5;\nO I 0.0;\n);\nL S5T#2S;\nSD T 1;\n",
+        "A M 100.5;\nL S5T#2S;\nSD T 1;\nA I 0.0;\nL S5T#1S;\nSD T 1;\n"})  // two starts
+    EXPECT_EQ(neverFires7(ob1(std::string(start) + read)), 0U) << start;
+  Linted unknown(ob1("A M 100.5;\nL S5T#2S;\nSD T 1;\n" + read),
+                 {*cpuNamed("319-3"), usualEdition(*cpuNamed("319-3"))});
+  EXPECT_TRUE(unknown.of("TIM008").empty()) << "no clock memory is chosen";
+}
+
 }  // namespace
 }  // namespace rungproof::testing

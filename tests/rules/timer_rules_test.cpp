@@ -54,5 +54,49 @@ TEST(TimerRules, EdgeDetectorsInCodeThatMayBeSkipped) {
   EXPECT_EQ(lines("TIM014", "Network 1\nLSCR S0.0\nNetwork 2\nLD I0.0\nEU\nSCRT S0.1\nNetwork 3\nSCRE\n"), Lines{5});
 }
 
+/// TIM008 on a network that feeds one timer, whose bit is read; how many findings are certain and how many are not.
+std::pair<std::size_t, std::size_t> neverFires(const std::string& network, const std::string& reader = "LD T37\n") {
+  const Linted linted("Network 1\n" + network + "Network 2\n" + reader + "= Q0.0\n");
+  std::pair<std::size_t, std::size_t> count;
+  for (const Finding& finding : linted.of("TIM008"))
+    ++(finding.confirmation == Confirmation::NotNeeded ? count.first : count.second);
+  return count;
+}
+
+// A clock bit is on for half of its period (001:14054-14055); no scan that samples it lasts longer than the watchdog.
+TEST(TimerRules, AClockBitIsShorterThanTheTimer) {
+  const std::pair<std::size_t, std::size_t> certain{1, 0}, open{0, 1}, none{0, 0};
+  for (const char* network :
+       {"LD SM0.5\nTON T37, 10\n", "LDN SM0.5\nTON T37, 10\n", "LD I0.0\nA SM0.5\nAN M0.0\nTON T37, 20\n",
+        "LD SM0.4\nTON T37, 310\n", "LD SM0.6\nTON T37, 5\n",
+        "LD I0.0\nLD SM0.5\nO SM0.5\nLD SM0.5\nALD\nALD\nTON T37, 10\n",
+        "LD I0.0\nLPS\nA SM0.5\nTON T37, 10\nLPP\n= Q0.1\n", "LD SM0.5\nLPS\nA I0.0\n= Q0.1\nLPP\nTON T37, 10\n"})
+    EXPECT_EQ(neverFires(network), certain) << network;
+  EXPECT_EQ(neverFires("LD SM0.5\nTON T32, 1000\n", "LD T32\n"), certain) << "1 ms steps";
+  // The prover is asked about edges of the program.
+  EXPECT_EQ(neverFires("LD I0.0\nEU\nTON T37, 10\n"), open);
+  EXPECT_EQ(neverFires("LD I0.0\nED\nA I0.1\nTON T37, 10\n"), open);
+  for (const char* network :
+       {"LD SM0.5\nTON T37, 5\n",           // the end of the half second may be reached
+        "LD SM0.5\nTON T37, 9\n",           // a long scan may sample the clock late
+        "LD SM0.4\nTON T37, 100\n",         // 10 of 30 s
+        "LD SM0.5\nO I0.0\nTON T37, 10\n",  // I0.0 may stay on
+        "LD SM0.5\nLD I0.0\nOLD\nTON T37, 10\n", "LD SM0.5\nNOT\nO I0.1\nTON T37, 10\n", "LD SM0.0\nTON T37, 10\n",
+        "LD I0.0\nLPS\nA SM0.5\n= Q0.1\nLPP\nTON T37, 10\n",  // the clock is in the other branch
+        "LDN SM0.1\nTON T37, 10\n", "LD SM0.5\nTON T37, VW0\n"})
+    EXPECT_EQ(neverFires(network), none) << network;
+  EXPECT_EQ(neverFires("LD SM0.5\nTONR T5, 10\n", "LD T5\n"), none) << "a TONR adds the pieces up";
+  EXPECT_EQ(neverFires("LD SM0.5\nTON T37, 10\nMOVW 50, T37\n"), none) << "the program moves the timer on";
+  EXPECT_EQ(neverFires("LD I1.0\nJMP 1\nLD SM0.5\nTON T33, 100\nLBL 1\n", "LD T33\n"), none)
+      << "a timer of 10 ms that is left out runs on";
+}
+
+TEST(TimerRules, TheTimeAndTheClockAreNamed) {
+  const Linted linted("Network 1\nLD SM0.5\nTON T37, 15\nNetwork 2\nLD T37\n= Q0.0\n");
+  EXPECT_EQ(
+      linted.messages("TIM008"),
+      std::vector<std::string>{"T37 needs its input for 1.5 s without a break, and SM0.5 is on for 0.5 s at a time"});
+}
+
 }  // namespace
 }  // namespace rungproof::testing
