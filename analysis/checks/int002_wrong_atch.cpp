@@ -58,7 +58,8 @@ void checkTimerEvent(const Facts& facts, FindingSink& sink, const Attachment& a)
 
 void checkInt002(const Facts& facts, FindingSink& sink) {
   for (const Attachment& a : facts.calls().attachments()) {
-    if (a.routine == noBlock && a.number >= 0 && facts.program().main() != nullptr && !facts.hasHiddenCode()) {
+    // A routine cannot hide in a network that was not read, nor in a block that is missing.
+    if (a.routine == noBlock && a.number >= 0 && facts.program().main() != nullptr && !facts.hasUnreadFrame()) {
       report(sink, a,
              fmt::format("{} attaches interrupt routine {}, which the program does not have",
                          Facts::text(*a.instruction), a.number),

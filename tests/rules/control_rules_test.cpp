@@ -110,5 +110,53 @@ TEST(ControlRules, ParametersOfCallTakeTheAreasOfTable678) {
             Messages{"HC1 does not fit parameter d (DINT): table 6-78 does not list it"});
 }
 
+// No block and no unread network can hold an interrupt routine.
+TEST(InterruptRules, AMissingRoutineIsSaidBesideOtherGaps) {
+  const auto of = [](const std::string& networks, const std::string& blocks = {}) {
+    return Linted("ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\n" + networks + "END_ORGANIZATION_BLOCK\n" + blocks)
+        .of("INT002")
+        .size();
+  };
+  const std::string attach = "Network 1\nLD SM0.1\nATCH INT0, 0\nENI\n";
+  const std::string routine = "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\n= Q0.1\nEND_INTERRUPT_BLOCK\n";
+  EXPECT_EQ(of(attach), 1U);
+  EXPECT_EQ(of(attach + "Network 2\nLD I0.0\nCALL SBR3\n"), 1U);
+  EXPECT_EQ(of(attach + "Network 2\nLD I0.0\nCALL MBUS_SLAVE, M0.0, MB1\n"), 1U);
+  EXPECT_EQ(of(attach + "Network 2\nLDX I0.0\n= Q0.0\n"), 1U);
+  EXPECT_EQ(of("Network 1\nLD SM0.1\nATCH INT5, 2\nATCH INT0, 0\nENI\n", routine), 1U);
+  EXPECT_EQ(of("Network 1\nLD I0.0\nATCH INT0, 0\nLDX\n"), 1U);
+  EXPECT_EQ(of(attach, routine), 0U);
+  EXPECT_EQ(of(attach + "Network 2\nLD I0.0\nCALL SBR3\n", routine), 0U);
+  EXPECT_EQ(of(attach + "Network 2\nLDX I0.0\n= Q0.0\n", routine), 0U);
+  EXPECT_EQ(of(attach, "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1 // password-protected\nEND_INTERRUPT_BLOCK\n"),
+            0U);
+  EXPECT_EQ(of("Network 1\nLD SM0.1\nDTCH 0\n"), 0U);
+  EXPECT_EQ(of(attach, "INTERRUPT_BLOK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\n= Q0.1\nEND_INTERRUPT_BLOCK\n"), 0U)
+      << "a heading that cannot be read may be its own";
+}
+
+// A listing may leave out the table of a protected block with its text.
+TEST(ControlRules, AProtectedBlockWithoutTableHasUnknownParameters) {
+  const auto of = [](const std::string& call, const std::string& name, const std::string& table = {}) {
+    return Linted("ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\n" + call +
+                  "\nEND_ORGANIZATION_BLOCK\nSUBROUTINE_BLOCK " + name + ":SBR1\n" + table +
+                  "BEGIN\nNetwork 1 // This POU is password-protected.\nEND_SUBROUTINE_BLOCK\n")
+        .of("SUB003")
+        .size();
+  };
+  const std::string table = "VAR_INPUT\nA:WORD;\nEND_VAR\n";
+  EXPECT_EQ(of("CALL SBR1, I0.0, 9600, 0, 1000, M0.1, MB1", "MBUS_CTRL"), 0U);
+  EXPECT_EQ(of("CALL MBUS_SLAVE, M0.1, MB1", "MBUS_SLAVE"), 0U);
+  EXPECT_EQ(of("CALL SBR1, I0.0, VW0", "Secret"), 0U);
+  EXPECT_EQ(of("CALL SBR1", "Secret"), 0U);
+  EXPECT_EQ(of("CALL SBR1, VW0", "Secret", table), 0U);
+  EXPECT_EQ(of("CALL SBR1, I0.0", "PTO0_LDPOS"), 1U) << "the manual says five (001:8291)";
+  EXPECT_EQ(of("CALL SBR1, M0.1, MW1", "MBUS_SLAVE"), 1U) << "Error is a byte";
+  EXPECT_EQ(of("CALL SBR1, I0.0, 9600, 0, 1000, M0.1, MW1", "MBUS_CTRL"), 1U);
+  EXPECT_EQ(of("CALL SBR1, VW0, VW2", "Secret", table), 1U);
+  EXPECT_EQ(of("CALL SBR1, VB0", "Secret", table), 1U);
+  EXPECT_EQ(of("CALL SBR1", "Secret", table), 1U);
+}
+
 }  // namespace
 }  // namespace rungproof::testing
