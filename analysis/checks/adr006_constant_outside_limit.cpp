@@ -59,7 +59,29 @@ void checkConstant(const Facts& facts, FindingSink& sink, const Instruction& ins
   }
 }
 
+constexpr std::size_t longestText = 126;  ///< of a constant; a string in memory may have 254 (001:1414)
+
+/// Characters of a text, at least: $ begins one that is written by two or three.
+std::size_t charactersOf(std::string_view text) {
+  const auto isBeginning = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80; };
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(text, isBeginning));
+  const auto escapes = static_cast<std::size_t>(std::ranges::count(text, '$'));
+  return count - std::min(count, escapes * 2);
+}
+
+void checkText(FindingSink& sink, const Instruction& instruction, const Operand& operand) {
+  if (operand.kind != OperandKind::Text || charactersOf(operand.text) <= longestText) return;
+  Finding& finding =
+      sink.report(operand.span, fmt::format("the text of {} has {} characters; a constant has at most {}",
+                                            instruction.desc->stl, charactersOf(operand.text), longestText));
+  finding.help = "write it in two parts with SCPY and SCAT, or into the data block (001:1414)";
+}
+
 void checkAdr006(const Facts& facts, FindingSink& sink) {
+  for (const std::uint32_t id : facts.withOperand(OperandKind::Text)) {
+    const Instruction& instruction = facts.instruction(id);
+    for (const Operand& operand : instruction.operands) checkText(sink, instruction, operand);
+  }
   for (const std::uint32_t id : facts.withOperand(OperandKind::Constant)) {
     const Instruction& instruction = facts.instruction(id);
     const std::size_t count = std::min<std::size_t>(instruction.operands.size(), instruction.desc->operandCount);
@@ -78,10 +100,9 @@ extern constexpr Rule adr006_constant_outside_limit = {
         "a constant that its operand does not take: N of S and R not 1-255, of SI and RI not 1-128, SHRB longer than "
         "64, FILL and block moves "
         "not 1-255, label above 255, PID loop above 7, depth of LDS above 8, string index 0; a constant too large for "
-        "its type; a shift "
-        "count that leaves nothing",
+        "its type; a text of more than 126 characters; a shift count that leaves nothing",
     .why = "the limits stand with each instruction; the download is refused with error 0092",
-    .manual = "001:2789, 001:2800, 001:6024, 001:6385, 001:2665, 001:2669, 001:2859, 001:5925, 001:13998",
+    .manual = "001:2789, 001:2800, 001:6024, 001:6385, 001:2665, 001:2669, 001:2859, 001:5925, 001:1414, 001:13998",
     .bad = "Network 1\nLD I0.0\nSI Q0.0, 200\n",
     .good = "Network 1\nLD I0.0\nSI Q0.0, 8\n",
     .peers = "Omron constants; SA0056; SA0053 for the shift count",

@@ -33,12 +33,28 @@ class Checker {
                          editionText(target.edition)))
           .severity = Severity::Warning;
     }
+    if (needsEthernet(desc) && isSmart(target)) ethernet(instruction);
     const std::size_t count = std::min<std::size_t>(instruction.operands.size(), desc.operandCount);
     for (std::size_t i = 0; i < count; ++i) operand(instruction, i);
     if (roleOf(instruction) == Role::Todr || roleOf(instruction) == Role::Todw) clock(instruction);
   }
 
  private:
+  /// GET, PUT and the like; GERR only reads what is stored.
+  static bool needsEthernet(const Desc& desc) {
+    return desc.group == "communication" && (desc.cpus & s7200Cpus) == 0 && desc.stl != "GERR";
+  }
+  /// A name that ends in s: serial ports only. Of the old compact CPUs the sources say both.
+  void ethernet(const Instruction& instruction) {
+    if (cpu().ends_with('s')) {
+      report(instruction.mnemonic(),
+             fmt::format("{} needs Ethernet, which the {} has not", Facts::text(instruction), cpu()));
+    } else if (facts_.target().cpu == s7200Cpu("CR40") || facts_.target().cpu == s7200Cpu("CR60")) {
+      report(instruction.mnemonic(), fmt::format("{} needs Ethernet; the sources differ on whether the {} has it",
+                                                 Facts::text(instruction), cpu()))
+          .severity = Severity::Note;
+    }
+  }
   std::string cpu() const { return fmt::format("CPU {}", cpuName(facts_.target().cpu)); }
   Finding& report(Span span, std::string message) {
     Finding& finding = sink_.report(span, std::move(message));
@@ -124,8 +140,9 @@ extern constexpr Rule adr009_feature_not_on_cpu = {
     .needs = Needs::Text,
     .detects =
         "HSC1 or HSC2 on a 221 or 222, port 1 on a 221, 222 or 224, an interrupt event or subroutine number which the "
-        "CPU lacks, an "
-        "instruction newer than the chosen edition, the clock on a CPU that has it only as a module",
+        "CPU lacks, an instruction newer than the chosen edition, GET, PUT and the like on a CR20s to CR60s, which "
+        "have "
+        "no Ethernet, the clock on a CPU that has it only as a module",
     .why = "the program is refused at download with a general error 0082 or 0090",
     .manual = "001:4166, 001:2670, 001:5366, 001:2666, 001:6751, 001:565",
     .bad = "Network 1\nLD SM0.1\nMOVB 16#F8, SMB47\nHDEF 1, 0\nHSC 1\n",

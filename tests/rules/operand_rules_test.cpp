@@ -266,5 +266,47 @@ TEST(OperandRules, FeaturesDependOnTheCpu) {
   EXPECT_NE(disputed.messages("ADR009")[0].find("001:6751"), std::string::npos);
 }
 
+// CR20s to CR60s have serial ports only.
+TEST(OperandRules, GetAndPutNeedEthernet) {
+  const auto of = [](const char* cpu, const std::string& box) {
+    const Cpu target = *cpuNamed(cpu);
+    return Linted("Network 1\nLD I0.0\nEU\n" + box + "\n", {target, usualEdition(target)}).of("ADR009");
+  };
+  for (const char* cpu : {"CR20s", "CR30s", "CR40s", "CR60s"}) {
+    EXPECT_EQ(of(cpu, "GET VB0").size(), 1U) << cpu;
+    EXPECT_EQ(of(cpu, "PUT VB0").size(), 1U) << cpu;
+  }
+  EXPECT_EQ(of("CR40s", "TSEND VB0").size(), 1U);
+  EXPECT_EQ(of("CR40s", "GIP VD0, VD4, VD8").size(), 1U);
+  for (const char* cpu : {"SR20", "ST20", "ST40", "SR60", "ST60"}) EXPECT_EQ(of(cpu, "GET VB0").size(), 0U) << cpu;
+  EXPECT_EQ(of("CR40s", "XMT VB0, 0").size(), 0U) << "a serial port";
+  EXPECT_EQ(of("CR40s", "GERR VW0").size(), 0U);
+  const std::vector<Finding> disputed = of("CR40", "GET VB0");
+  ASSERT_EQ(disputed.size(), 1U);
+  EXPECT_EQ(disputed[0].severity, Severity::Note) << "the sources differ";
+}
+
+// 001:1414: a constant has at most 126 characters, a string in memory 254.
+TEST(OperandRules, TextConstantsHave126Characters) {
+  const auto of = [](const std::string& statement) {
+    return Linted("Network 1\nLD I0.0\n" + statement + "\n").of("ADR006").size();
+  };
+  const auto text = [](std::size_t length) { return "\"" + std::string(length, 'a') + "\""; };
+  EXPECT_EQ(of("SCPY " + text(127) + ", VB0"), 1U);
+  EXPECT_EQ(of("SCPY " + text(254) + ", VB0"), 1U);
+  EXPECT_EQ(of("SCAT " + text(130) + ", VB0"), 1U);
+  EXPECT_EQ(of("SLEN " + text(127) + ", VB0"), 1U);
+  EXPECT_EQ(of("SFND VB0, " + text(200) + ", AC0"), 1U);
+  EXPECT_EQ(Linted("Network 1\nLDS= " + text(127) + ", VB0\n= Q0.0\n").of("ADR006").size(), 1U);
+  EXPECT_EQ(of("SCPY " + text(126) + ", VB0"), 0U);
+  EXPECT_EQ(of("SCPY " + text(1) + ", VB0"), 0U);
+  EXPECT_EQ(of("SCAT " + text(126) + ", VB0"), 0U);
+  EXPECT_EQ(of("SCPY VB300, VB0"), 0U);
+  EXPECT_EQ(of("SLEN " + text(100) + ", VB0"), 0U);
+  std::string umlauts;
+  for (int i = 0; i < 126; ++i) umlauts += "ä";
+  EXPECT_EQ(of("SCPY \"" + umlauts + "\", VB0"), 0U) << "126 characters in more bytes";
+}
+
 }  // namespace
 }  // namespace rungproof::testing
