@@ -74,5 +74,38 @@ TEST(DeviceRules, ModesThatACounterHasNot) {
   for (const char* right : {"HDEF 1, 0", "HDEF 3, 0", "HDEF 0, 10"}) EXPECT_EQ(linesOf(right, smart), Lines()) << right;
 }
 
+// 001:4999-5028: the rule that operands stay on overflow is not repeated for INC and DEC.
+TEST(ArithmeticRules, TheHelpSaysWhatAnOverflowDoes) {
+  const auto help = [](const std::string& box) {
+    const std::vector<Finding> findings = Linted("Network 1\nLD I0.0\n" + box + "\n").of("ARI002");
+    return findings.size() == 1 ? std::string(findings[0].help) : std::to_string(findings.size()) + " findings";
+  };
+  EXPECT_TRUE(help("INCW VW0").starts_with("INCW goes on from 32767 with -32768")) << help("INCW VW0");
+  EXPECT_TRUE(help("DECW VW0").starts_with("DECW goes on from -32768 with 32767"));
+  EXPECT_TRUE(help("INCB VB0").starts_with("INCB goes on from 255 with 0"));
+  EXPECT_TRUE(help("DECB VB0").starts_with("DECB goes on from 0 with 255"));
+  EXPECT_TRUE(help("INCD VD0").starts_with("INCD goes on from 2147483647 with -2147483648"));
+  EXPECT_TRUE(help("DECD VD0").starts_with("DECD goes on from -2147483648 with 2147483647"));
+  EXPECT_TRUE(help("+I 5, VW0").starts_with("on overflow the operands stay as they were"));
+  EXPECT_TRUE(help("*I VW2, VW0").starts_with("on overflow the operands stay as they were"));
+}
+
+TEST(ArithmeticRules, WholeNumbersAndRealsAreNotMixed) {
+  const auto of = [](const std::string& boxes) { return Linted("Network 1\nLD SM0.0\n" + boxes).of("ARI008").size(); };
+  for (const char* boxes : {"ITD VW0, VD4\n*R 2.0, VD4\n", "ITD AIW0, AC0\n+R VD8, AC0\n", "MOVD 5, VD4\n/R VD4, VD8\n",
+                            "MOVR 1.5, VD4\n+D 1, VD4\n", "*R 2.0, VD4\nINCD VD4\n", "ROUND VD0, VD4\nSQRT VD4, VD8\n",
+                            "ITD VW0, AC0\nMOVD AC0, VD4\n*R 2.0, VD4\n", "DTR VD0, VD4\nDTR VD4, VD8\n"})
+    EXPECT_EQ(of(boxes), 1U) << boxes;
+  for (const char* boxes : {"ITD VW0, VD4\nDTR VD4, VD4\n*R 2.0, VD4\n", "MOVD 16#3F800000, VD4\n*R 2.0, VD4\n",
+                            "MOVD 0, VD4\n+R VD0, VD4\n",                  // 0 is 0.0
+                            "ITD VW0, VD4\nMOVR VD4, VD8\n",               // a copy of the bits
+                            "ITD VW0, VD4\nMOVR VD8, VD4\n*R 2.0, VD4\n",  // written again
+                            "ITD VW0, VD4\nMOVW 0, VW6\n*R 2.0, VD4\n",    // one half is written again
+                            "ITD VW0, VD4\nLD I0.0\n*R 2.0, VD4\n",        // another power flow
+                            "ITD VW0, VD4\nNetwork 2\nLD SM0.0\n*R 2.0, VD4\n", "TRUNC VD0, VD4\n+D 1, VD4\n",
+                            "ITD VW0, AC0\nMOVR 2.0, *AC1\n*R 2.0, AC0\n"})  // wherever AC1 points to
+    EXPECT_EQ(of(boxes), 0U) << boxes;
+}
+
 }  // namespace
 }  // namespace rungproof::testing

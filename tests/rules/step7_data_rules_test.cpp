@@ -64,5 +64,36 @@ TEST(DataRules7, RunningValuesAreNotComparedForEquality) {
                             {"a word", 0, ob1("L MW 0;\nL 40;\n==I;\n= Q 0.0;")}});
 }
 
+TEST(DataRules7, NumbersOfTwoTypesAreNotMixed) {
+  const std::string declared =
+      "VAR_INPUT\nI : INT;\nD : DINT;\nR : REAL;\nS : S5TIME;\nT : TIME;\nW : DWORD;\nEND_VAR\n"
+      "VAR_OUTPUT\nRo : REAL;\nIo : INT;\nTo : TIME;\nSo : S5TIME;\nEND_VAR\n";
+  const auto in = [&](const std::string& statements) { return fc(1, statements, declared); };
+  expectFindings("ARI008", {{"an INT in a sum of REAL", 1, in("L #I;\nL #R;\n+R;\nT MD 0;")},
+                            {"the second operand", 1, in("L #R;\nL #D;\n*R;\nT MD 0;")},
+                            {"a whole constant", 1, in("L #R;\nL 5;\n/R;\nT MD 0;")},
+                            {"a REAL in a sum of INT", 1, in("L #R;\nL MW 0;\n+I;\nT MW 2;")},
+                            {"compared", 1, in("L #I;\nL 1.5;\n>R;\n= M 0.0;")},
+                            {"compared as INT", 1, in("L #R;\nL 5;\n==D;\n= M 0.0;")},
+                            {"stored", 1, in("L #I;\nT #Ro;")},
+                            {"stored the other way", 1, in("L #R;\nT #Io;")},
+                            {"one more on a REAL", 1, in("L #R;\n+ 1;\nT MD 0;")},
+                            {"S5TIME and TIME added", 1, in("L #S;\nL #T;\n+D;\nT MD 0;")},
+                            {"S5TIME and TIME compared", 1, in("L #T;\nL S5T#2S;\n>I;\n= M 0.0;")},
+                            {"S5TIME stored as TIME", 1, in("L #S;\nT #To;")},
+                            {"TIME stored as S5TIME", 1, in("L T#2S;\nT #So;")},
+                            {"a TIME for a timer", 1, in("A I 0.0;\nL #T;\nSD T 1;")},
+                            {"converted", 0, in("L #I;\nITD;\nDTR;\nL #R;\n+R;\nT #Ro;")},
+                            {"rounded", 0, in("L #R;\nRND;\nT #Io;")},
+                            {"all of one type", 0, in("L #R;\nL 1.5;\n+R;\nT #Ro;\nL #I;\nL 5;\n+I;\nT #Io;")},
+                            {"0", 0, in("L #R;\nL 0;\n==R;\n= M 0.0;")},
+                            {"a pattern of bits", 0, in("L #W;\nL #R;\n+R;\nT #Ro;")},
+                            {"a pattern as constant", 0, in("L DW#16#3F800000;\nL #R;\n+R;\nT #Ro;")},
+                            {"INT and DINT", 0, in("L #I;\nL #D;\n+D;\nT MD 0;")},
+                            {"an S5TIME for a timer", 0, in("A I 0.0;\nL #S;\nSD T 1;")},
+                            {"memory without a type", 0, in("L MD 0;\nL MD 4;\n+R;\nT MD 8;")},
+                            {"another value in between", 0, in("L #I;\nL MD 0;\nDTR;\n+R;\nT MD 0;")}});
+}
+
 }  // namespace
 }  // namespace rungproof::testing
