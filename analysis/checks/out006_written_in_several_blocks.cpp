@@ -1,5 +1,6 @@
 // OUT006: memory written in several blocks. Every writer of a place is compared with every other; what hangs together -
-// bits that one instruction writes at once - becomes one finding that names the whole range and all the blocks. Writes
+// bits that one instruction writes at once, and of which the same blocks write each - is one range, and all the ranges
+// of the same blocks become one finding, outputs apart from memory. Writes
 // in the first scan only are initialisation; a flag that an interrupt routine sets and another block resets (or the
 // reverse) is a handshake, and between DISI and ENI no interrupt comes; code that never runs writes nothing. Blocks of
 // which the text lets one run at a time (exclusion.hpp) may share their outputs; where it leaves that open, the prover
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 #include "analysis/asking/asking.hpp"
 #include "analysis/flow/bit_ranges.hpp"
@@ -21,7 +23,8 @@ namespace rungproof {
 
 namespace {
 
-constexpr std::size_t mostPlaces = 8;  ///< that are shown beside the finding
+constexpr std::size_t mostPlaces = 8;   ///< of one range that are shown beside the finding
+constexpr std::size_t mostOthers = 24;  ///< further ranges that are shown beside it
 
 /// Whether what was lost of its network, or of that of a call, may say that it runs in the first scan only.
 bool mayBeInitial(const Facts& facts, std::uint32_t id) {
@@ -124,7 +127,7 @@ unsigned contested(const Facts& facts, Exclusion& exclusion, const std::vector<s
   return bits;
 }
 
-/// Contested bits, joined where one instruction writes several of them.
+/// Contested bits, joined where one instruction writes several of them and the same blocks write each.
 class Contested {
  public:
   explicit Contested(const Facts& facts) : facts_(facts) {
@@ -154,14 +157,27 @@ class Contested {
   };
   /// In the order of their first writers.
   std::vector<Group> groups() {
-    std::map<std::uint32_t, std::size_t> place;
-    std::vector<Group> groups;
-    for (const auto& [access, bit] : writers_) {
-      const auto [found, isNew] = place.emplace(find(bit), groups.size());
-      if (isNew) groups.emplace_back();
-      groups[found->second].writers.push_back(access);
+    std::vector<std::vector<std::uint32_t>> blocks(keys_.size());  // that write the bit
+    for (const Writer& writer : writers_) {
+      const std::uint32_t block = facts_.blockOf(writer.access->instruction);
+      for (std::uint32_t i = writer.first; i < writer.end; ++i) {
+        const auto at = std::ranges::lower_bound(blocks[i], block);
+        if (at == blocks[i].end() || *at != block) blocks[i].insert(at, block);
+      }
     }
-    for (std::uint32_t i = 0; i < keys_.size(); ++i) groups[place.at(find(i))].keys.push_back(keys_[i]);
+    std::map<std::pair<std::uint32_t, std::vector<std::uint32_t>>, std::size_t> place;
+    std::vector<std::size_t> groupOf(keys_.size());
+    std::vector<Group> groups;
+    for (const Writer& writer : writers_) {
+      for (std::uint32_t i = writer.first; i < writer.end; ++i) {
+        const auto [found, isNew] = place.try_emplace({find(i), blocks[i]}, groups.size());
+        if (isNew) groups.emplace_back();
+        groupOf[i] = found->second;
+        std::vector<const Access*>& writers = groups[found->second].writers;
+        if (writers.empty() || writers.back() != writer.access) writers.push_back(writer.access);
+      }
+    }
+    for (std::uint32_t i = 0; i < keys_.size(); ++i) groups[groupOf[i]].keys.push_back(keys_[i]);
     return groups;
   }
 
@@ -183,16 +199,23 @@ class Contested {
     const std::uint32_t end = first + (isBits ? access.count : access.certainLength() * 8);
     auto at = number_.lower_bound(first);
     if (at == number_.end() || at->first >= end) return;
-    writers_.emplace_back(&access, at->second);
+    Writer& writer = writers_.emplace_back(&access, at->second, at->second);
     const std::uint32_t root = find(at->second);
-    for (; at != number_.end() && at->first < end; ++at) root_[find(at->second)] = root;
+    for (; at != number_.end() && at->first < end; ++at) {
+      root_[find(at->second)] = root;
+      writer.end = at->second + 1;
+    }
   }
 
   const Facts& facts_;
   std::vector<std::uint32_t> keys_;
   std::map<std::uint32_t, std::uint32_t> number_;  ///< by key: position in keys_
   std::vector<std::uint32_t> root_;
-  std::vector<std::pair<const Access*, std::uint32_t>> writers_;  ///< with one of the bits that they write
+  struct Writer {
+    const Access* access;
+    std::uint32_t first, end;  ///< positions in keys_ of the bits that it writes
+  };
+  std::vector<Writer> writers_;
 };
 
 struct ContestedName {
@@ -254,58 +277,111 @@ struct Sharers {
   }
 };
 
-void checkOut006(const Facts& facts, FindingSink& sink) {
-  Contested all(facts);
-  for (const Contested::Group& group : all.groups()) {
-    const Sharers sharers(facts, group);
-    const std::vector<const Access*>& firsts = sharers.firsts;
+/// All that the same blocks write against each other: one finding.
+struct Rivalry {
+  std::vector<Contested::Group> groups{};
+  Sharers sharers;        ///< of the first group
+  bool isInterrupted;     ///< one of the blocks is an interrupt routine
+  bool runTogether;       ///< two of the blocks write in every scan
+  std::string names{};    ///< of the places
+  std::string address{};  ///< of the first
+  bool isOne = true;      ///< an operand, no range and no list
+};
+
+std::vector<Rivalry> rivalries(const Facts& facts) {
+  constexpr std::size_t mostNames = 4;
+  std::vector<Rivalry> all;
+  std::map<std::tuple<std::vector<std::uint32_t>, bool, bool>, std::size_t> place;
+  for (Contested::Group& group : Contested(facts).groups()) {
+    Sharers sharers(facts, group);
+    std::vector<std::uint32_t> blocks = sharers.blocks;
+    std::ranges::sort(blocks);
+    const Area area = group.writers.front()->area;
+    const bool isOutput = area == Area::Q || area == Area::AQ, isInterrupted = sharers.haveInterrupt(facts);
+    const bool together = sharers.runTogether(facts);
+    const auto [found, isNew] = place.try_emplace({std::move(blocks), isOutput, isInterrupted || together}, all.size());
+    if (isNew) all.push_back({.sharers = std::move(sharers), .isInterrupted = isInterrupted, .runTogether = together});
+    all[found->second].groups.push_back(std::move(group));
+  }
+  for (Rivalry& rivalry : all) {
     std::vector<std::string> names;
-    for (const std::uint32_t block : sharers.blocks) names.push_back("in " + facts.program().pous[block].name);
-    const bool isInterrupted = sharers.haveInterrupt(facts);
-    const auto [name, address, isOne] = nameOf(facts, group);
-    const Instruction& place = facts.instruction(firsts[1]->instruction);
-    Finding& finding =
-        sink.report(place.operands[firsts[1]->operand].span,
-                    fmt::format("{} {} written {}{}", name, isOne ? "is" : "are", joined(names),
-                                isInterrupted ? "; the interrupt can come at any point of the scan" : ""));
-    finding.address = address;
-    for (std::size_t i = 0; i < std::min(firsts.size(), mostPlaces + 1); ++i) {
-      if (i == 1) continue;
-      finding.related.push_back(
-          {facts.instruction(firsts[i]->instruction).span,
-           fmt::format("{} writes {} here", facts.program().pous[sharers.blocks[i]].name, isOne ? "it" : "them")});
+    for (const Contested::Group& group : rivalry.groups) {
+      ContestedName name = nameOf(facts, group);
+      if (names.empty()) rivalry.address = name.address;
+      rivalry.isOne = rivalry.groups.size() == 1 && name.isOne;
+      if (names.size() < mostNames) names.push_back(std::move(name.name));
     }
-    finding.help = "let one block own the place, and give the others a request bit";
-    if (isInterrupted || sharers.runTogether(facts)) finding.confirmation = Confirmation::NotNeeded;
+    if (rivalry.groups.size() > names.size())
+      names.push_back(fmt::format("{} more", rivalry.groups.size() - names.size()));
+    rivalry.names = joined(names);
+  }
+  return all;
+}
+
+/// The other writers of the first place, then where each further place is written.
+void relateRivals(const Facts& facts, const Rivalry& rivalry, Finding& finding) {
+  const std::vector<const Access*>& firsts = rivalry.sharers.firsts;
+  const auto blockName = [&](const Access& access) {
+    return facts.program().pous[facts.blockOf(access.instruction)].name;
+  };
+  const std::string first = rivalry.groups.size() == 1 ? std::string(rivalry.isOne ? "it" : "them")
+                                                       : nameOf(facts, rivalry.groups.front()).name;
+  for (std::size_t i = 0; i < std::min(firsts.size(), mostPlaces + 1); ++i) {
+    if (i == 1) continue;
+    finding.related.push_back({facts.instruction(firsts[i]->instruction).span,
+                               fmt::format("{} writes {} here", blockName(*firsts[i]), first)});
+  }
+  for (std::size_t g = 1; g < rivalry.groups.size() && g <= mostOthers; ++g) {
+    const std::string name = nameOf(facts, rivalry.groups[g]).name;
+    const Access& access = *Sharers(facts, rivalry.groups[g]).firsts[1];
+    finding.related.push_back(
+        {facts.instruction(access.instruction).span, fmt::format("{} writes {} here", blockName(access), name)});
   }
 }
 
-/// Whether writers of two blocks act in one scan.
+void checkOut006(const Facts& facts, FindingSink& sink) {
+  for (const Rivalry& rivalry : rivalries(facts)) {
+    const Access& second = *rivalry.sharers.firsts[1];
+    std::vector<std::string> blocks;
+    for (const std::uint32_t block : rivalry.sharers.blocks) blocks.push_back("in " + facts.program().pous[block].name);
+    Finding& finding =
+        sink.report(facts.instruction(second.instruction).operands[second.operand].span,
+                    fmt::format("{} {} written {}{}", rivalry.names, rivalry.isOne ? "is" : "are", joined(blocks),
+                                rivalry.isInterrupted ? "; the interrupt can come at any point of the scan" : ""));
+    finding.address = rivalry.address;
+    relateRivals(facts, rivalry, finding);
+    finding.help = rivalry.groups.size() == 1 ? "let one block own the place, and give the others a request bit"
+                                              : "let one block own each place, and give the others a request bit";
+    if (rivalry.isInterrupted || rivalry.runTogether) finding.confirmation = Confirmation::NotNeeded;
+  }
+}
+
+/// Whether writers of two blocks act on one of the places in one scan.
 void askOut006(Asking& asking) {
   const Facts facts(asking.program(), asking.properties().externals);
   Graph& graph = asking.graph();
-  Contested all(facts);
-  for (const Contested::Group& group : all.groups()) {
-    const Sharers sharers(facts, group);
-    if (sharers.haveInterrupt(facts) || sharers.runTogether(facts)) continue;
-    std::map<std::uint32_t, Graph::Bool> acts;  // by block
-    for (const Access* access : group.writers) {
-      const Asking::Runs* runs = asking.runsOf(facts.instruction(access->instruction));
-      if (runs == nullptr) continue;
-      const Graph::Bool act = access->conditional && runs->samples(0) ? runs->on[0] : runs->guard;
-      Graph::Bool& known = acts.try_emplace(facts.blockOf(access->instruction), graph.constant(false)).first->second;
-      known = graph.lor(known, act);
+  for (const Rivalry& rivalry : rivalries(facts)) {
+    if (rivalry.isInterrupted || rivalry.runTogether) continue;
+    Graph::Bool two = graph.constant(false);
+    for (const Contested::Group& group : rivalry.groups) {
+      std::map<std::uint32_t, Graph::Bool> acts;  // by block
+      for (const Access* access : group.writers) {
+        const Asking::Runs* runs = asking.runsOf(facts.instruction(access->instruction));
+        if (runs == nullptr) continue;
+        const Graph::Bool act = access->conditional && runs->samples(0) ? runs->on[0] : runs->guard;
+        Graph::Bool& known = acts.try_emplace(facts.blockOf(access->instruction), graph.constant(false)).first->second;
+        known = graph.lor(known, act);
+      }
+      Graph::Bool some = graph.constant(false);
+      for (const auto& [block, act] : acts) {
+        two = graph.lor(two, graph.land(some, act));
+        some = graph.lor(some, act);
+      }
     }
-    Graph::Bool some = graph.constant(false), two = some;
-    for (const auto& [block, act] : acts) {
-      two = graph.lor(two, graph.land(some, act));
-      some = graph.lor(some, act);
-    }
-    const ContestedName name = nameOf(facts, group);
-    asking.ask({.name = fmt::format("two blocks write {} in one scan", name.name),
-                .message = fmt::format("two blocks write {} in one scan", name.name),
-                .address = name.address,
-                .place = &facts.instruction(sharers.firsts[1]->instruction),
+    asking.ask({.name = fmt::format("two blocks write {} in one scan", rivalry.names),
+                .message = fmt::format("two blocks write {} in one scan", rivalry.names),
+                .address = rivalry.address,
+                .place = &facts.instruction(rivalry.sharers.firsts[1]->instruction),
                 .bad = two.node});
   }
 }
@@ -319,9 +395,9 @@ extern constexpr Rule out006_written_in_several_blocks = {
     .needs = Needs::FlowThenSolver,
     .detects =
         "one bit or word written in two blocks, or in a block of the scan and in an interrupt routine, unless the text "
-        "lets only one of the blocks run at a time; a bit that an interrupt routine only sets and other blocks only "
-        "reset, "
-        "or the reverse, is a handshake and stays unreported, and so does what all blocks only set or only reset",
+        "lets only one of the blocks run at a time; one finding for all that the same blocks write, outputs apart from "
+        "memory; a bit that an interrupt routine only sets and other blocks only reset, or the reverse, is a handshake "
+        "and stays unreported, and so does what all blocks only set or only reset",
     .why = "the order of the calls decides which value stays, and interrupts come anywhere in the scan",
     .manual = "001:2084, 001:5434-5440",
     .bad =

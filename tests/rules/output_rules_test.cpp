@@ -135,6 +135,30 @@ TEST(SeveralBlocks, OneFindingNamesTheWholeRange) {
                    "SBR_1"}));
 }
 
+// What the same blocks write against each other is one finding, outputs apart from memory; of a range each part names
+// its own writers.
+TEST(SeveralBlocks, OneFindingForEachSetOfBlocks) {
+  const std::string first = "Network 1\nLD I0.2\nS Q0.2, 6\nMOVW 1, VW10\nMOVW 1, VW20\n";
+  const std::string second = "Network 1\nLD I0.3\nR Q0.2, 6\nMOVW 2, VW10\nMOVW 2, VW20\n";
+  EXPECT_EQ(named("OUT006", blocks(callBoth, {first, second})),
+            (Named{"Q0.2: Q0.2 to Q0.7 are written in SBR_0 and in SBR_1",
+                   "VW10: VW10 and VW20 are written in SBR_0 and in SBR_1"}));
+  EXPECT_EQ(named("OUT006", blocks(std::string(callBoth) + "Network 3\nLD I0.4\n= Q0.6\n", {first, second})),
+            (Named{"Q0.6: Q0.6 is written in MAIN, in SBR_0 and in SBR_1",
+                   "Q0.2: Q0.2 to Q0.5 and Q0.7 are written in SBR_0 and in SBR_1",
+                   "VW10: VW10 and VW20 are written in SBR_0 and in SBR_1"}));
+  std::string many[2];
+  for (int i = 0; i < 2; ++i) {
+    many[i] = "Network 1\nLD I0." + std::to_string(i) + "\n";
+    for (int word = 0; word < 7; ++word) many[i] += "MOVW 1, VW" + std::to_string(word * 10) + "\n";
+  }
+  EXPECT_EQ(named("OUT006", blocks(callBoth, {many[0], many[1]})),
+            (Named{"VW0: VW0, VW10, VW20, VW30 and 3 more are written in SBR_0 and in SBR_1"}));
+  const std::vector<Finding> findings = Linted(blocks(callBoth, {many[0], many[1]})).of("OUT006");
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].related.size(), 7U) << "the other writer of the first, and one of each further place";
+}
+
 TEST(SeveralBlocks, CodeThatNeverRunsAndProtectedCodeAreNoRivals) {
   const std::string coil = "Network 1\nLD I0.2\n= Q0.2\n";
   EXPECT_EQ(named("OUT006", blocks("Network 1\nLD I0.0\nCALL SBR0\n", {coil, coil})), Named());
