@@ -1,6 +1,6 @@
 // STK006: a network that exists in STL only. What has a picture and why not is said by analysis/drawing/raise.hpp;
 // a network that one of LAD and FBD can show is left alone. The older dialect knows no networks and is left out, and a
-// program that is plainly written as STL gets one line a block.
+// program that is plainly kept as STL gets one line a block.
 // Tested by its examples, tests/rules/stack_depth_test.cpp and tests/drawing/raise_test.cpp.
 #include <fmt/format.h>
 
@@ -13,10 +13,16 @@ namespace rungproof {
 
 namespace {
 
-/// Of a program that is plainly written as STL each block is told once.
+/// Whether the program is kept as STL: a third of its networks, and at least three, hold several rungs.
+bool isKeptAsStl(const Program& program) {
+  const RungCount rungs = rungCount(program);
+  return rungs.several >= 3 && rungs.several * 3 >= rungs.networks;
+}
+
+/// Of a program that is kept as STL each block is told once.
 void checkStk006(const Facts& facts, FindingSink& sink) {
   if (facts.program().olderDialect) return;
-  const bool isStl = isWrittenAsStl(facts.program());
+  const bool isStl = isKeptAsStl(facts.program());
   PictureShapes pictures(facts.target());
   for (const Pou& pou : facts.program().pous) {
     std::size_t count = 0;
@@ -56,7 +62,9 @@ extern constexpr Rule stk006_no_drawing = {
     .manual = "001:2230-2232, 001:6808-6809",
     .bad = "Network 1\nLD I0.0\n= Q0.0\nLD I0.1\n= Q0.1\n",
     .good = "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= Q0.1\n",
-    .falsePositives = "programs that are kept as STL on purpose: they get one note a block",
+    .falsePositives =
+        "programs that are kept as STL on purpose: they get one note a block where a third of the networks, and at "
+        "least three, hold several rungs",
     .dialects = dialect::S7200,
     .check = checkStk006,
 };

@@ -141,16 +141,21 @@ std::vector<NetworkVerdict> leaveOutInvalid(Program& program) {
   return invalid;
 }
 
-bool isWrittenAsStl(const Program& program) {
-  std::size_t networks = 0, withSeveral = 0;
+RungCount rungCount(const Program& program) {
+  RungCount count;
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
       if (network.instructions.empty() || network.form != Form::Stl) continue;
-      ++networks;
-      withSeveral += secondRung(network) != nullptr ? 1U : 0U;
+      ++count.networks;
+      count.several += secondRung(network) != nullptr ? 1U : 0U;
     }
   }
-  return withSeveral >= 3 && withSeveral * 2 > networks;
+  return count;
+}
+
+bool isWrittenAsStl(const Program& program) {
+  const RungCount count = rungCount(program);
+  return count.several >= 3 && count.several * 2 > count.networks;
 }
 
 }  // namespace rungproof

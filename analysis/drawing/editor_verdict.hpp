@@ -27,8 +27,13 @@ std::vector<NetworkVerdict> editorVerdicts(const Program& program, const UnreadC
 /// download: their instructions, and the readers' findings on them. Gives their verdicts.
 std::vector<NetworkVerdict> leaveOutInvalid(Program& program);
 
-/// Whether the program is plainly written as STL: at least three networks, and more than half of those with
-/// instructions, hold several rungs.
+/// Networks of a text that have instructions, and those among them that hold several rungs.
+struct RungCount {
+  std::size_t networks = 0, several = 0;
+};
+RungCount rungCount(const Program& program);
+/// Whether an editor would be asked to show the program as STL: at least three networks, and more than half of those
+/// with instructions, hold several rungs.
 bool isWrittenAsStl(const Program& program);
 
 }  // namespace rungproof

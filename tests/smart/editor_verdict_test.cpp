@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/rule.hpp"
 #include "frontend/input/program_input.hpp"
 
 namespace rungproof {
@@ -88,6 +89,25 @@ TEST(EditorVerdict, ProgramsOfManyRungsAreWrittenAsStl) {
   EXPECT_FALSE(isStl("Network 1;" + two + ";Network 2;" + two + ";Network 3;" + two + ";Network 4;" + one +
                      ";Network 5;" + one + ";Network 6;" + one))
       << "as many that hold one";
+  // STK006 speaks once a block from a third on.
+  const auto notes = [](const std::string& lines) {
+    const Program program = programOf(lines);
+    std::size_t count = 0;
+    for (const Finding& finding : runRules(Facts(program), RuleSelection({"STK006"}, {}), {}))
+      count += finding.rule == "STK006";
+    return count;
+  };
+  const auto program = [&](int several, int single) {
+    std::string text;
+    for (int i = 0; i < several + single; ++i)
+      text += (i == 0 ? "Network " : ";Network ") + std::to_string(i + 1) + ";" + (i < several ? two : one);
+    return text;
+  };
+  EXPECT_EQ(notes(program(3, 3)), 1U);
+  EXPECT_EQ(notes(program(3, 6)), 1U) << "a third";
+  EXPECT_EQ(notes(program(3, 7)), 3U) << "less than a third";
+  EXPECT_EQ(notes(program(2, 0)), 2U) << "too few to tell";
+  EXPECT_EQ(notes(program(0, 4)), 0U);
 }
 
 }  // namespace
