@@ -48,6 +48,7 @@ struct Context {
   /// The settings of a run that is given this file alone, read anew from the configuration that counts for it.
   std::function<std::optional<Failure>(const std::string& file, Settings& settings)> readSettings{};
   std::vector<std::string> given{};  ///< the common options of the command line, as arguments for another run
+  bool outIsTerminal = false;        ///< otherwise what is no report goes out byte by byte: a patch, a source
 
   const Settings& settingsOf(const std::vector<std::string>& files) const {
     return settingsNear && !files.empty() ? settingsNear(files.front()) : settings;
@@ -57,7 +58,8 @@ struct Context {
 
   /// Prints the reason to `err` and gives the exit code for it.
   Exit fail(const Failure& failure) const;
-  /// Writes the text of one output: to `out`, or to a file (disk_file.hpp). Prints the reason if it cannot.
+  /// Writes the text of one output: to `out`, or to a file (disk_file.hpp). Prints the reason if it cannot. What people
+  /// read shows control characters instead of sending them (safe_text.hpp).
   bool write(const OutputRequest& output, std::string_view text, InputFile input = InputFile::Refuse) const;
   bool write(const OutputRequest& output, const PiecewiseText& text, InputFile input = InputFile::Refuse) const;
 };

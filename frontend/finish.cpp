@@ -5,6 +5,7 @@
 #include <streambuf>
 
 #include "frontend/command.hpp"
+#include "frontend/text/safe_text.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
@@ -46,6 +47,12 @@ class PieceBuffer : public std::streambuf {
   bool isTaken_ = true;
 };
 
+/// Forms that people read on a terminal or in a log. The others are files, and escape in their own way.
+bool isForPeople(std::string_view form) {
+  static constexpr std::array<std::string_view, 6> forms = {"human", "concise", "text", "markdown", "github", ""};
+  return std::ranges::find(forms, form) != forms.end();
+}
+
 }  // namespace
 
 Exit Context::fail(const Failure& failure) const {
@@ -60,10 +67,15 @@ bool Context::write(const OutputRequest& output, std::string_view text, InputFil
 }
 
 bool Context::write(const OutputRequest& output, const PiecewiseText& text, InputFile input) const {
+  VisiblePieces visible(color && output.file.empty() ? VisiblePieces::Colors::Kept : VisiblePieces::Colors::Hidden);
+  const PiecewiseText shown = [&](const TakePiece& take) {
+    return text([&](std::string_view piece) { return take(visible.next(piece)); }) && take(visible.rest());
+  };
+  const PiecewiseText& written = isForPeople(output.name) ? shown : text;
   if (output.file.empty() || output.file == "-")
-    return text([&](std::string_view piece) { return static_cast<bool>(out << piece); });
+    return written([&](std::string_view piece) { return static_cast<bool>(out << piece); });
   out.flush();
-  const std::optional<Failure> failure = writeOutputFile(output.file, text, input);
+  const std::optional<Failure> failure = writeOutputFile(output.file, written, input);
   if (!failure) return true;
   if (!failure->message.empty()) print(err, *failure);
   hasLostOutput = true;

@@ -273,6 +273,7 @@ Exit repeatOrRun(const ResultCache& cache, Context& context, const KeptWork& wor
   copied.settingsNear = context.settingsNear;
   copied.readSettings = context.readSettings;
   copied.given = context.given;
+  copied.outIsTerminal = context.outIsTerminal;
   bool isFinal = false;
   const Exit exit = work(copied, isFinal);
   context.hasLostOutput = copied.hasLostOutput;

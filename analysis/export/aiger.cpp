@@ -10,8 +10,19 @@
 namespace rungproof {
 
 std::string exportLine(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return c < 32; }, ' ');
+  const auto blank = [&](std::size_t at, std::size_t count) { name.replace(at, count, count, ' '); };
+  for (std::size_t at = 0; at < name.size(); ++at) {
+    const auto byte = [&](std::size_t i) {
+      return at + i < name.size() ? static_cast<unsigned char>(name[at + i]) : 0U;
+    };
+    const unsigned last = byte(2);
+    if (byte(0) < 0x20 || byte(0) == 0x7F) blank(at, 1);
+    if (byte(0) == 0xC2 && byte(1) >= 0x80 && byte(1) <= 0x9F) blank(at, 2);  // U+0080 to U+009F
+    if (byte(0) == 0xD8 && byte(1) == 0x9C) blank(at, 2);                     // U+061C
+    const bool isBidi = byte(1) == 0x80 && (last == 0x8E || last == 0x8F || (last >= 0xA8 && last <= 0xAE));
+    const bool isIsolate = byte(1) == 0x81 && last >= 0xA6 && last <= 0xA9;  // U+2066 to U+2069
+    if (byte(0) == 0xE2 && (isBidi || isIsolate)) blank(at, 3);
+  }
   return name;
 }
 

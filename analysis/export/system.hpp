@@ -27,7 +27,8 @@ std::string exportSmt2(const TransitionSystem& system, int scans = 1, const Expo
 /// question.
 std::string exportSmv(const TransitionSystem& system, const ExportRemarks& remarks = {});
 
-/// A name without control characters, for comments and symbol tables.
+/// A name on one line, without characters that control a terminal or the direction of text, for comments and symbol
+/// tables.
 std::string exportLine(std::string name);
 
 }  // namespace rungproof

@@ -7,8 +7,8 @@
 #include "analysis/rule.hpp"
 #include "frontend/acceptance/page_writer.hpp"
 #include "frontend/linting/fingerprint.hpp"
-#include "frontend/picture/timing_diagram.hpp"
 #include "frontend/text/excerpt.hpp"
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 

@@ -10,8 +10,8 @@
 #include "analysis/proof/proof_networks.hpp"
 #include "frontend/acceptance/page_writer.hpp"
 #include "frontend/explain/idea_page.hpp"
-#include "frontend/picture/timing_diagram.hpp"
 #include "frontend/text/excerpt.hpp"
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 

@@ -8,7 +8,7 @@
 #include "frontend/acceptance/page_writer.hpp"
 #include "frontend/cli/cli.hpp"
 #include "frontend/picture/svg_picture.hpp"
-#include "frontend/picture/timing_diagram.hpp"
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 

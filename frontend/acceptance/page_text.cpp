@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "frontend/picture/timing_diagram.hpp"
+#include "frontend/text/safe_text.hpp"
 #include "ir/manual.hpp"
 
 namespace rungproof {
@@ -41,7 +41,7 @@ std::string base64(std::string_view bytes) {
 
 std::string placeName(std::string_view text) {
   std::string name;
-  for (const char c : text) {
+  for (const char c : visibleText(text)) {
     if (isWordByte(c))
       name += c;
     else if (!name.empty() && name.back() != '-')

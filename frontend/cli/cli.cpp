@@ -9,12 +9,14 @@
 #include <filesystem>
 #include <istream>
 #include <ostream>
+#include <streambuf>
 
 #include "frontend/cli/argument_parser.hpp"
 #include "frontend/files/closest_word.hpp"
 #include "frontend/files/disk_file.hpp"
 #include "frontend/input/program_input.hpp"
 #include "frontend/settings/config.hpp"
+#include "frontend/text/safe_text.hpp"
 #include "frontend/watch.hpp"
 
 namespace rungproof {
@@ -22,6 +24,30 @@ namespace rungproof {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Messages name files and texts of programs: what a terminal must not get is made visible on the way to it.
+class VisibleBuffer : public std::streambuf {
+ public:
+  VisibleBuffer(std::ostream& stream, bool isTerminal)
+      : stream_(stream), visible_(isTerminal ? VisiblePieces::Colors::Kept : VisiblePieces::Colors::Hidden) {}
+  ~VisibleBuffer() override { stream_ << visible_.rest() << std::flush; }
+  VisibleBuffer(const VisibleBuffer&) = delete;
+  VisibleBuffer& operator=(const VisibleBuffer&) = delete;
+
+ private:
+  int_type overflow(int_type c) override {
+    if (traits_type::eq_int_type(c, traits_type::eof())) return traits_type::not_eof(c);
+    const char letter = traits_type::to_char_type(c);
+    return xsputn(&letter, 1) == 1 ? c : traits_type::eof();
+  }
+  std::streamsize xsputn(const char* text, std::streamsize count) override {
+    return stream_ << visible_.next({text, static_cast<std::size_t>(count)}) ? count : 0;
+  }
+  int sync() override { return stream_.flush() ? 0 : -1; }
+
+  std::ostream& stream_;
+  VisiblePieces visible_;
+};
 
 std::vector<std::string_view> commandNames() {
   std::vector<std::string_view> names;
@@ -232,6 +258,7 @@ int runCommand(const Command& command, std::vector<std::string> arguments, const
                   {},
                   false,
                   sides};
+  context.outIsTerminal = streams.outIsTerminal;
   if (auto failure = readOutputs(settings, command, context.outputs)) return failed(streams.err, *failure);
   NearbySettings nearby(line, settings, config, streams.err);
   if (named == nullptr && !isolated)
@@ -246,8 +273,6 @@ int runCommand(const Command& command, std::vector<std::string> arguments, const
   context.given = argumentsOf(line);
   Exit exit = action(context);
   if (context.hasLostOutput || nearby.hasFailed()) exit = Exit::Failed;
-  streams.out.flush();
-  if (!streams.out) return failed(streams.err, {"standard output cannot be written"});
   return static_cast<int>(exit);
 }
 
@@ -327,10 +352,15 @@ std::vector<std::string_view> formatsOf(const Command& command) {
   return names;
 }
 
-int runProgram(const std::vector<std::string>& arguments, const Streams& streams) {
+int runProgram(const std::vector<std::string>& arguments, const Streams& given) {
   forgetInputs();
+  VisibleBuffer visible(given.err, given.errIsTerminal);
+  std::ostream err(&visible);
+  err.setf(std::ios::unitbuf);
+  const Streams streams{given.in, given.out, err, given.outIsTerminal, given.errIsTerminal};
   try {
-    return runArguments(arguments, streams);
+    const int exit = runArguments(arguments, streams);
+    return streams.out.flush() ? exit : failed(streams.err, {"standard output cannot be written"});
   } catch (const std::exception& error) {
     // Nothing of ours throws; what arrives here comes from a library and must not look like a result.
     return failed(streams.err, {fmt::format("internal error: {}", error.what())});

@@ -7,6 +7,7 @@
 #include "analysis/read_errors.hpp"
 #include "frontend/command.hpp"
 #include "frontend/linting/lint_run.hpp"
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 
@@ -42,7 +43,7 @@ Action setup(ArgumentTable& table) {
       Baseline known;
       std::string text;
       if (auto failure = readBaselineFile(state->show, known, text)) return context.fail(*failure);
-      context.out << tableOf(known);
+      context.out << visibleText(tableOf(known));
       return Exit::Clean;
     }
     if (state->files.empty()) state->files = context.settings.inputs();

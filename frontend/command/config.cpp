@@ -7,6 +7,7 @@
 #include "analysis/rule.hpp"
 #include "frontend/command.hpp"
 #include "frontend/files/json.hpp"
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 
@@ -14,16 +15,14 @@ namespace {
 
 std::string listText(const std::vector<std::string>& items) {
   std::string text = "[";
-  for (const std::string& item : items) text += fmt::format("{}\"{}\"", text.size() > 1 ? ", " : "", item);
+  for (const std::string& item : items) text += (text.size() > 1 ? ", " : "") + tomlText(item);
   return text + "]";
 }
 
 std::string valueText(const OptionInfo& info, const Settings& settings) {
   if (info.arity == Arity::Flag) return settings.flag(info.id) ? "true" : "false";
-  if (info.id == Opt::Edition) return fmt::format("\"{}\"", editionName(settings.target().edition));
-  if (info.id == Opt::Edition) return fmt::format("\"{}\"", editionName(settings.target().edition));
-  if (info.arity == Arity::One && settings.text(info.id).empty()) return "\"\"";
-  if (info.arity == Arity::One) return fmt::format("\"{}\"", settings.text(info.id));
+  if (info.id == Opt::Edition) return tomlText(editionName(settings.target().edition));
+  if (info.arity == Arity::One) return tomlText(settings.text(info.id));
   return listText(settings.list(info.id));
 }
 
@@ -39,7 +38,7 @@ struct ConfigLine {
 void appendLines(std::string& text, const std::vector<ConfigLine>& lines) {
   std::size_t width = 0;
   for (const ConfigLine& line : lines) width = std::max(width, line.text.size());
-  for (const ConfigLine& line : lines) text += fmt::format("{:<{}}  # {}\n", line.text, width, line.comment);
+  for (const ConfigLine& line : lines) text += fmt::format("{:<{}}  # {}\n", line.text, width, lineText(line.comment));
 }
 
 /// TOML, so that it can be saved as rungproof.toml; origins are comments.
@@ -72,7 +71,7 @@ std::string configText(const Settings& settings) {
   for (const auto& [id, lines] : rules) text += fmt::format("\n[rules.{}]\n{}", id, lines);
   if (!settings.fileIgnores().empty()) text += "\n[per-file-ignores]\n";
   for (const FileIgnore& ignore : settings.fileIgnores())
-    text += fmt::format("\"{}\" = {}\n", ignore.pattern, listText(ignore.codes));
+    text += fmt::format("{} = {}\n", tomlText(ignore.pattern), listText(ignore.codes));
   if (!settings.propertyFiles().empty())
     text += fmt::format("\n[properties]\nfiles = {}\n", listText(settings.propertyFiles()));
   return text;

@@ -6,6 +6,7 @@
 #include "frontend/sides/difference_view.hpp"
 #include "frontend/simulation/trace_file.hpp"
 #include "frontend/text/excerpt.hpp"
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 
@@ -41,7 +42,10 @@ Exit run(Arguments arguments, Context& context) {
   if (!isFromGit(arguments)) return compare(arguments, context);
   const std::string path = takeFromGit(arguments);
   const bool isAdded = arguments.sides.before == noFile, isRemoved = arguments.sides.after == noFile;
-  context.out << Paint{context.color}.bold(path) << (isAdded ? ": added\n" : isRemoved ? ": removed\n" : "\n");
+  context.out << Paint{context.color}.bold(lineText(path))
+              << (isAdded     ? ": added\n"
+                  : isRemoved ? ": removed\n"
+                              : "\n");
   if (isAdded || isRemoved) return Exit::Clean;
   context.out << std::flush;
   const Exit exit = compare(arguments, context);

@@ -3,12 +3,14 @@
 
 #include <ostream>
 
+#include "frontend/text/safe_text.hpp"
+
 namespace rungproof {
 
 void print(std::ostream& err, const Failure& failure) {
-  err << "error: " << failure.message << '\n';
-  if (!failure.place.empty()) err << "  --> " << failure.place << '\n';
-  if (!failure.help.empty()) err << "  = help: " << failure.help << '\n';
+  err << "error: " << lineText(failure.message) << '\n';
+  if (!failure.place.empty()) err << "  --> " << lineText(failure.place) << '\n';
+  if (!failure.help.empty()) err << "  = help: " << lineText(failure.help) << '\n';
 }
 
 }  // namespace rungproof

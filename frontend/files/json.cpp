@@ -5,6 +5,7 @@
 #include <bit>
 #include <nlohmann/json.hpp>
 
+#include "frontend/text/safe_text.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
@@ -83,7 +84,7 @@ std::string Json::dump(int indent, bool asciiOnly) const {
     for (std::size_t i = 0; i < json.items_.size(); ++i) object[json.keys_[i]] = self(self, json.items_[i]);
     return object;
   };
-  return libraryValue(libraryValue, *this).dump(indent, ' ', asciiOnly, Library::error_handler_t::replace);
+  return jsonText(libraryValue(libraryValue, *this).dump(indent, ' ', asciiOnly, Library::error_handler_t::replace));
 }
 
 std::optional<Json> Json::read(const std::string& text) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "frontend/acceptance/page_text.hpp"
-#include "frontend/picture/timing_diagram.hpp"
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 
@@ -47,8 +47,9 @@ std::string inlineHtml(std::string_view text) {
                           inlineHtml(text.substr(1, middle - 1)));
       text.remove_prefix(end + 1);
     } else {
-      html += xmlText(text.substr(0, 1));
-      text.remove_prefix(1);
+      const std::size_t next = std::min(text.find_first_of("`*[", 1), text.size());
+      html += xmlText(text.substr(0, next));
+      text.remove_prefix(next);
     }
   }
   return html;

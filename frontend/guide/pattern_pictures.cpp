@@ -9,6 +9,7 @@
 #include "frontend/picture/timing_diagram.hpp"
 #include "frontend/property/property_reader.hpp"
 #include "frontend/simulation/witness_report.hpp"
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 

@@ -11,8 +11,8 @@
 #include "frontend/explain/idea_page.hpp"
 #include "frontend/explain/rule_page.hpp"
 #include "frontend/guide/site.hpp"
-#include "frontend/picture/timing_diagram.hpp"
 #include "frontend/settings/code_list.hpp"
+#include "frontend/text/safe_text.hpp"
 #include "ir/s7200/choices.hpp"
 
 namespace rungproof {
@@ -47,14 +47,7 @@ ReferencePage commandsPage() {
     html += fmt::format("<h2 id=\"{0}\">{0}</h2>\n<p>{1}</p>\n<pre>rungproof {0} [OPTIONS] {2}</pre>\n", command->name,
                         sentenceOf(command->summary), xmlText(command->usage));
     if (!command->details.empty()) {
-      html += "<pre>";
-      std::string_view details = command->details;
-      while (!details.empty()) {
-        const std::size_t end = std::min(details.find('\n'), details.size());
-        html += xmlText(details.substr(0, end)) + "\n";
-        details.remove_prefix(std::min(end + 1, details.size()));
-      }
-      html += "</pre>\n";
+      html += "<pre>" + xmlText(command->details) + (command->details.ends_with('\n') ? "" : "\n") + "</pre>\n";
     }
     for (const HelpSection& section : helpSections(*command, table))
       html += fmt::format("<h3>{}</h3>\n", xmlText(section.title)) + rowsHtml(section.rows);
@@ -65,8 +58,7 @@ ReferencePage commandsPage() {
 std::string preformatted(std::string_view title, std::string_view program) {
   if (program.empty()) return {};
   std::string text = fmt::format("<p class=\"quiet\">{}</p>\n<pre>", title);
-  for (const char c : program) text += c == '\n' ? std::string("\n") : xmlText(std::string_view(&c, 1));
-  return text + "</pre>\n";
+  return text + xmlText(program) + "</pre>\n";
 }
 
 std::string ruleHtml(const Rule& rule) {

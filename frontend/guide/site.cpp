@@ -7,7 +7,7 @@
 #include "frontend/cli/cli.hpp"
 #include "frontend/guide/chapter.hpp"
 #include "frontend/guide/markdown.hpp"
-#include "frontend/picture/timing_diagram.hpp"
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 

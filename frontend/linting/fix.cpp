@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "frontend/input/program_input.hpp"
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 
@@ -79,6 +80,11 @@ std::vector<ChangedLines> changedLines(std::string_view text, const std::vector<
     list.push_back(std::move(lines));
   }
   return list;
+}
+
+/// A patch or a source goes on byte by byte; only a terminal must not get all of them.
+std::string asShown(const Context& context, const std::string& text) {
+  return context.outIsTerminal ? visibleText(text) : text;
 }
 
 }  // namespace
@@ -186,14 +192,14 @@ bool applyFixes(const Context& context, const Report& report, FixLevel level, bo
     }
     if (isStandardInput) {
       replaceStandardInput(*fixed);
-    } else if (!context.write({"text", path}, *fixed, InputFile::Replace)) {
+    } else if (!context.write({"source", path}, *fixed, InputFile::Replace)) {
       written = false;
       continue;
     }
     if (!context.settings.flag(Opt::Quiet))
       context.err << fmt::format("fixed {} in {}\n", placesText(file.applied.size()), file.name);
   }
-  if (readsStandardInput) context.out << standardInput();
+  if (readsStandardInput) context.out << asShown(context, standardInput());
   return written;
 }
 
@@ -201,7 +207,7 @@ std::size_t showFixes(const Context& context, const Report& report, FixLevel lev
   std::size_t count = 0;
   const std::vector<FixedFile> files = fixedFiles(report, level);
   for (const FixedFile& file : files) {
-    context.out << unifiedDiff(file.name, report.sources->file(file.file).text(), file.applied);
+    context.out << asShown(context, unifiedDiff(file.name, report.sources->file(file.file).text(), file.applied));
     count += file.applied.size();
   }
   if (!context.settings.flag(Opt::Quiet)) {

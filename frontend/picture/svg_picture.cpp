@@ -5,8 +5,8 @@
 
 #include <iterator>
 
-#include "frontend/picture/timing_diagram.hpp"
 #include "frontend/text/excerpt.hpp"
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 

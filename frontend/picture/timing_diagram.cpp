@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "frontend/text/excerpt.hpp"
+#include "frontend/text/safe_text.hpp"
 #include "frontend/trace_format.hpp"
 
 namespace rungproof {
@@ -111,22 +112,6 @@ std::string axis(const Trace& trace, const std::vector<DrawnStretch>& list, doub
 }
 
 }  // namespace
-
-std::string xmlText(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default:
-        if (static_cast<unsigned char>(c) >= 0x20 || c == '\t') result += c;
-        break;
-    }
-  }
-  return result;
-}
 
 std::string timingDiagram(const Trace& trace, std::string_view title, std::size_t maxScans) {
   int longest = 4;

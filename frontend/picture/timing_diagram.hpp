@@ -13,7 +13,4 @@ namespace rungproof {
 /// are drawn as gaps, and what is still too long is cut with a remark.
 std::string timingDiagram(const Trace& trace, std::string_view title, std::size_t maxScans = 400);
 
-/// Text with & < > " replaced for XML.
-std::string xmlText(std::string_view text);
-
 }  // namespace rungproof

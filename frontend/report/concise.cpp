@@ -6,6 +6,7 @@
 #include "analysis/rule.hpp"
 #include "frontend/report.hpp"
 #include "frontend/text/excerpt.hpp"
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 
@@ -15,18 +16,19 @@ void write(const Report& report, const ReportStyle& style, std::ostream& out) {
   const Paint paint{style.color};
   for (const Finding& finding : report.findings) {
     const std::string head = fmt::format("{}[{}]", severityName(finding.severity), finding.rule);
-    out << fmt::format("{}: {} {}{}\n", placeText(*report.sources, finding.span),
-                       finding.severity == Severity::Error ? paint.red(head) : paint.yellow(head), finding.message,
+    out << fmt::format("{}: {} {}{}\n", lineText(placeText(*report.sources, finding.span)),
+                       finding.severity == Severity::Error ? paint.red(head) : paint.yellow(head),
+                       lineText(finding.message),
                        finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)" : "");
   }
   for (const PropertyResult& property : report.properties) {
     const std::string place = property.span ? placeText(*report.sources, *property.span) + ": " : std::string();
-    out << fmt::format("{}{} {}{}\n", place, verdictText(property.verdict, property.depth), property.title(),
-                       property.trace.empty() ? "" : " (" + property.trace + ")");
+    out << fmt::format("{}{} {}{}\n", lineText(place), verdictText(property.verdict, property.depth),
+                       lineText(property.title()), property.trace.empty() ? "" : " (" + lineText(property.trace) + ")");
   }
   if (report.comparison && report.comparison->isOfPrograms())
     out << report.comparison->verdict << (report.comparison->equal ? "\n" : " ");
-  if (report.comparison && !report.comparison->equal) out << differenceText(*report.comparison) << '\n';
+  if (report.comparison && !report.comparison->equal) out << lineText(differenceText(*report.comparison)) << '\n';
 }
 
 }  // namespace

@@ -4,26 +4,11 @@
 #include <ostream>
 
 #include "frontend/report.hpp"
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 
 namespace {
-
-/// Data of a workflow command: percent, line ends, and in properties also colon and comma, are escaped.
-std::string escaped(std::string_view text, bool inProperty) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '%': result += "%25"; break;
-      case '\r': result += "%0D"; break;
-      case '\n': result += "%0A"; break;
-      case ':': result += inProperty ? "%3A" : ":"; break;
-      case ',': result += inProperty ? "%2C" : ","; break;
-      default: result += c;
-    }
-  }
-  return result;
-}
 
 std::string_view levelName(Severity severity) {
   return severity == Severity::Error ? "error" : severity == Severity::Warning ? "warning" : "notice";
@@ -35,8 +20,8 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
     const Position begin = file.position(finding.span.offset);
     const Position end = file.position(finding.span.offset + finding.span.length);
     out << fmt::format("::{} file={},line={},endLine={},col={},title={}::{}{}\n", levelName(finding.severity),
-                       escaped(file.name(), true), begin.line, end.line, begin.column, escaped(finding.rule, true),
-                       escaped(finding.message, false),
+                       workflowText(file.name(), true), begin.line, end.line, begin.column,
+                       workflowText(finding.rule, true), workflowText(finding.message, false),
                        finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)" : "");
   }
   for (const PropertyResult& property : report.properties) {
@@ -45,7 +30,8 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
     std::string place;
     if (property.span) {
       const SourceFile& file = report.sources->file(property.span->file);
-      place = fmt::format("file={},line={},", escaped(file.name(), true), file.position(property.span->offset).line);
+      place =
+          fmt::format("file={},line={},", workflowText(file.name(), true), file.position(property.span->offset).line);
     }
     const bool isOpen = property.verdict == Outcome::Unknown || property.verdict == Outcome::HoldsToBound ||
                         property.verdict == Outcome::NotCovered;
@@ -53,12 +39,12 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
     if (!property.statement.empty()) text += ": " + property.statement;
     for (const std::string& line : property.run) text += '\n' + line;
     out << fmt::format("::{} {}title={}::{}\n", isOpen ? "warning" : "error", place,
-                       escaped(verdictText(property.verdict, property.depth), true), escaped(text, false));
+                       workflowText(verdictText(property.verdict, property.depth), true), workflowText(text, false));
   }
   if (report.comparison && !report.comparison->equal) {
     const std::string& verdict = report.comparison->verdict;
     out << fmt::format("::error title={}::{}\n", verdict.empty() ? "traces differ" : verdict,
-                       escaped(differenceText(*report.comparison), false));
+                       workflowText(differenceText(*report.comparison), false));
   }
 }
 

@@ -5,8 +5,8 @@
 #include <ostream>
 
 #include "frontend/acceptance/page_writer.hpp"
-#include "frontend/picture/timing_diagram.hpp"
 #include "frontend/report.hpp"
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 

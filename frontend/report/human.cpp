@@ -8,6 +8,7 @@
 #include "analysis/rule.hpp"
 #include "frontend/report.hpp"
 #include "frontend/text/excerpt.hpp"
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 
@@ -33,7 +34,7 @@ class HumanWriter {
     if (report_.selfCheck) writeSelfCheck(*report_.selfCheck);
     const bool isOfPrograms = report_.comparison && report_.comparison->isOfPrograms();
     if (!report_.properties.empty() || isOfPrograms) writeBasis();
-    for (const std::string& line : report_.coverage.leftOut) out_ << fmt::format("left out: {}\n", line);
+    for (const std::string& line : report_.coverage.leftOut) out_ << fmt::format("left out: {}\n", lineText(line));
     if (style_.verbose && report_.techniques) writeTechniques(*report_.techniques);
     if (isOfPrograms) out_ << verdictLine(*report_.comparison) << '\n';
     const bool saidAll = report_.comparison && report_.findings.empty() && report_.properties.empty();
@@ -57,9 +58,9 @@ class HumanWriter {
     const bool isEmpty = file.text().empty();  // a file that could not be read has no lines
     text.append(static_cast<std::size_t>(gutter), ' ');
     paint(text, &Paint::blue, "-->");
-    text.append(" ").append(file.name());
+    text.append(" ").append(lineText(file.name()));
     if (!isEmpty) text.append(":").append(std::to_string(at.line)).append(":").append(std::to_string(at.column));
-    text.append(context).append("\n");
+    text.append(lineText(context)).append("\n");
     if (!isEmpty) text += drawExcerpt(excerptOf(file, span, at.line), gutter, mark, paint_, painter);
   }
   void writePlace(Span span, int gutter, std::string_view context, char mark, Painter painter) {
@@ -76,7 +77,7 @@ class HumanWriter {
     head.append("[").append(finding.rule.view()).append("]");
     paint(text, painter, head);
     text += ": ";
-    paint(text, &Paint::bold, finding.message);
+    paint(text, &Paint::bold, lineText(finding.message));
     text += finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)\n" : "\n";
     std::vector<Position> places;
     for (const RelatedPlace& related : finding.related)
@@ -92,7 +93,7 @@ class HumanWriter {
       const RelatedPlace& related = finding.related[i];
       if (!hasPlace(related.span)) continue;
       paint(text, &Paint::cyan, "note");
-      text.append(": ").append(related.message.view()).append("\n");
+      text.append(": ").append(lineText(related.message)).append("\n");
       addPlace(text, related.span, places[i], gutter, "", '-', &Paint::blue);
     }
     const auto remark = [&](std::string_view what) -> std::string& {
@@ -100,15 +101,15 @@ class HumanWriter {
       paint(text, &Paint::blue, "=");
       return text.append(" ").append(what);
     };
-    if (!finding.help.empty()) remark("help: ").append(finding.help.view()).append("\n");
+    if (!finding.help.empty()) remark("help: ").append(lineText(finding.help)).append("\n");
     if (finding.fix) {
       remark("fix").append(finding.fix->safe ? "" : " (unsafe, with --unsafe-fixes)").append(": ");
       if (finding.fix->replacement.empty())
         text += "remove it\n";
       else
-        text.append("write '").append(finding.fix->replacement.view()).append("'\n");
+        text.append("write '").append(lineText(finding.fix->replacement)).append("'\n");
     }
-    if (!finding.trace.empty()) remark("trace: ").append(finding.trace.view()).append("\n");
+    if (!finding.trace.empty()) remark("trace: ").append(lineText(finding.trace)).append("\n");
     text += '\n';
     out_ << text;
   }
@@ -126,18 +127,18 @@ class HumanWriter {
                      property.verdict == Outcome::Vacuous;
     const Painter painter = good ? &Paint::green : bad ? &Paint::red : &Paint::yellow;
     out_ << fmt::format("{}  {}", (paint_.*painter)(verdictText(property.verdict, property.depth)),
-                        paint_.bold(property.title()));
+                        paint_.bold(lineText(property.title())));
     if (!property.method.empty()) out_ << fmt::format("  by {}", property.method);
     out_ << fmt::format("  in {:.2f} s\n", property.seconds);
     if (property.span && hasPlace(*property.span)) {
       writePlace(*property.span, digits(report_.sources->position(*property.span).line), "", '^', painter);
     }
-    for (const std::string& note : property.notes) out_ << fmt::format("  {} {}\n", paint_.blue("="), note);
+    for (const std::string& note : property.notes) out_ << fmt::format("  {} {}\n", paint_.blue("="), lineText(note));
     for (const std::string& assumption : property.assumptions)
-      out_ << fmt::format("  {} assumes: {}\n", paint_.blue("="), assumption);
+      out_ << fmt::format("  {} assumes: {}\n", paint_.blue("="), lineText(assumption));
     if (!property.networks.empty())
-      out_ << fmt::format("  {} rests on networks: {}\n", paint_.blue("="), property.networks);
-    if (!property.trace.empty()) out_ << fmt::format("  {} trace: {}\n", paint_.blue("="), property.trace);
+      out_ << fmt::format("  {} rests on networks: {}\n", paint_.blue("="), lineText(property.networks));
+    if (!property.trace.empty()) out_ << fmt::format("  {} trace: {}\n", paint_.blue("="), lineText(property.trace));
     for (const ShownScan& scan : property.scans) writeScan(scan);
     if (!property.scans.empty() && !property.scans.back().networks.empty() &&
         !property.scans.back().networks.back().text.empty())
@@ -152,7 +153,7 @@ class HumanWriter {
         out_ << fmt::format("\n  {}\n",
                             paint_.bold(fmt::format("scan {}, {} ms", scan.scan, plainNumber(scan.timeMs))));
       isFirst = false;
-      out_ << fmt::format("  {}\n", network.heading);
+      out_ << fmt::format("  {}\n", lineText(network.heading));
       for (const std::string& line : network.text) out_ << fmt::format("  {}\n", line);
     }
   }
@@ -170,7 +171,7 @@ class HumanWriter {
         if (fault.fate != fate) continue;
         out_ << fmt::format("  {}: {}:{} in {}, network {}: {}: {}{}\n",
                             (paint_.*(fate == "unnoticed" ? &Paint::red : &Paint::yellow))(fate), fault.file,
-                            fault.line, fault.pou, fault.network, fault.kind, fault.text,
+                            fault.line, lineText(fault.pou), fault.network, fault.kind, lineText(fault.text),
                             fault.differs.empty() ? "" : "; other value of " + fault.differs);
       }
     }
@@ -189,8 +190,10 @@ class HumanWriter {
   /// What the verdicts rest on.
   void writeBasis() {
     out_ << '\n';
-    for (const std::string& assumption : report_.assumptions) out_ << fmt::format("assumes: {}\n", assumption);
-    for (const std::string& place : report_.coverage.approximated) out_ << fmt::format("approximated: {}\n", place);
+    for (const std::string& assumption : report_.assumptions)
+      out_ << fmt::format("assumes: {}\n", lineText(assumption));
+    for (const std::string& place : report_.coverage.approximated)
+      out_ << fmt::format("approximated: {}\n", lineText(place));
   }
 
   /// The last line of a comparison of programs.
@@ -205,9 +208,10 @@ class HumanWriter {
 
   void writeProgramComparison(const Comparison& comparison) {
     if (comparison.verdict == "DIFFERENT")
-      out_ << fmt::format("{} {}\n", paint_.red("first difference:"), differenceText(comparison));
-    for (const std::string& note : comparison.notes) out_ << fmt::format("  {} {}\n", paint_.blue("="), note);
-    if (!comparison.trace.empty()) out_ << fmt::format("  {} trace: {}\n", paint_.blue("="), comparison.trace);
+      out_ << fmt::format("{} {}\n", paint_.red("first difference:"), lineText(differenceText(comparison)));
+    for (const std::string& note : comparison.notes) out_ << fmt::format("  {} {}\n", paint_.blue("="), lineText(note));
+    if (!comparison.trace.empty())
+      out_ << fmt::format("  {} trace: {}\n", paint_.blue("="), lineText(comparison.trace));
     for (const ShownScan& scan : comparison.scans) writeScan(scan);
   }
 
@@ -220,7 +224,7 @@ class HumanWriter {
       out_ << "traces agree\n";
       return;
     }
-    out_ << fmt::format("{} {}\n", paint_.red("first difference:"), differenceText(comparison));
+    out_ << fmt::format("{} {}\n", paint_.red("first difference:"), lineText(differenceText(comparison)));
     if (comparison.around.empty()) return;
     std::vector<std::size_t> widths;
     for (std::size_t i = 0; i < comparison.signals.size(); ++i) {

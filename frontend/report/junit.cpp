@@ -7,6 +7,7 @@
 #include "analysis/rule.hpp"
 #include "frontend/report.hpp"
 #include "frontend/text/excerpt.hpp"
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 
@@ -14,16 +15,17 @@ namespace {
 
 pugi::xml_node addCase(pugi::xml_node suite, const std::string& className, const std::string& name, double seconds) {
   pugi::xml_node test = suite.append_child("testcase");
-  test.append_attribute("classname") = className.c_str();
-  test.append_attribute("name") = name.c_str();
+  test.append_attribute("classname") = lineText(className).c_str();
+  test.append_attribute("name") = lineText(name).c_str();
   test.append_attribute("time") = fmt::format("{:.3f}", seconds).c_str();
   return test;
 }
 
+/// `text`: lines that are safe.
 void addFailure(pugi::xml_node test, const std::string& type, const std::string& message, const std::string& text) {
   pugi::xml_node failure = test.append_child("failure");
   failure.append_attribute("type") = type.c_str();
-  failure.append_attribute("message") = message.c_str();
+  failure.append_attribute("message") = lineText(message).c_str();
   failure.text() = text.c_str();
 }
 
@@ -51,16 +53,17 @@ class JunitWriter {
   void writeFile(std::uint32_t file) {
     const std::string& name = report_.sources->file(file).name();
     pugi::xml_node suite = root_.append_child("testsuite");
-    suite.append_attribute("name") = name.c_str();
+    suite.append_attribute("name") = lineText(name).c_str();
     std::size_t count = 0;
     for (const Finding& finding : report_.findings) {
       if (finding.span.file != file) continue;
       const Position place = report_.sources->position(finding.span);
       pugi::xml_node test =
           addCase(suite, name, fmt::format("{} line {} column {}", finding.rule, place.line, place.column), 0);
-      std::string text = fmt::format("{}: {}", placeText(*report_.sources, finding.span), finding.message);
+      std::string text =
+          fmt::format("{}: {}", lineText(placeText(*report_.sources, finding.span)), lineText(finding.message));
       if (finding.confirmation == Confirmation::Unconfirmed) text += " (unconfirmed)";
-      if (!finding.help.empty()) text += "\nhelp: " + finding.help;
+      if (!finding.help.empty()) text += "\nhelp: " + lineText(finding.help);
       const bool isOpen = finding.confirmation == Confirmation::Unconfirmed;
       addFailure(test, std::string(severityName(finding.severity)), finding.message + (isOpen ? " (unconfirmed)" : ""),
                  text);
@@ -82,6 +85,8 @@ class JunitWriter {
       pugi::xml_node test =
           addCase(suite, property.program.empty() ? "properties" : property.program, property.name, property.seconds);
       const std::string verdict = verdictText(property.verdict, property.depth);
+      std::vector<std::string> lines;
+      for (const std::string& line : property.run) lines.push_back(lineText(line));
       switch (property.verdict) {
         case Outcome::Proved:
         case Outcome::Reachable: break;
@@ -90,7 +95,7 @@ class JunitWriter {
         case Outcome::Vacuous:
           addFailure(
               test, verdict, property.statement.empty() ? property.name : property.statement,
-              fmt::format("{}{}{}", fmt::join(property.run, "\n"), property.run.empty() ? "" : "\n", property.trace));
+              fmt::format("{}{}{}", fmt::join(lines, "\n"), lines.empty() ? "" : "\n", lineText(property.trace)));
           ++failed;
           break;
         default: test.append_child("skipped").append_attribute("message") = verdict.c_str(); ++skipped;
@@ -108,7 +113,7 @@ class JunitWriter {
     suite.append_attribute("name") = "comparison";
     pugi::xml_node test = addCase(suite, "comparison", report_.command, 0);
     const bool isFailed = !c.equal && !c.isUndecided();
-    if (c.isUndecided()) test.append_child("skipped").append_attribute("message") = differenceText(c).c_str();
+    if (c.isUndecided()) test.append_child("skipped").append_attribute("message") = lineText(differenceText(c)).c_str();
     if (isFailed) addFailure(test, "difference", differenceText(c), "");
     failures_ += isFailed ? 1 : 0;
     setCounts(suite, 1, isFailed ? 1 : 0, c.isUndecided() ? 1 : 0);

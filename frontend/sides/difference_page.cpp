@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "frontend/picture/svg_picture.hpp"
-#include "frontend/picture/timing_diagram.hpp"
 #include "frontend/sides/difference_view.hpp"
 #include "frontend/text/excerpt.hpp"
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 

@@ -6,6 +6,7 @@
 #include "frontend/picture/network_view.hpp"
 #include "frontend/picture/svg_picture.hpp"
 #include "frontend/picture/timing_diagram.hpp"
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 

@@ -17,6 +17,7 @@
 namespace rungproof::step7 {
 
 using s7300::Field;
+using s7300::Section;
 using s7300::Structure;
 using s7300::TypeKind;
 

@@ -6,7 +6,10 @@
 #include <unicode/utf8.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
+
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 
@@ -39,14 +42,17 @@ std::vector<TextCell> textCells(std::string_view text, std::vector<std::size_t>&
     for (std::int32_t k = begin; k < i; ++k) cellOfByte.push_back(cells.size());
     if (c == '\t') {
       cells.push_back({std::string(tabWidth, ' '), tabWidth});
-    } else if (c < 0 || c == 0x7F) {
-      cells.push_back({"\xEF\xBF\xBD", 1});
-    } else if (c < 0x20) {
-      const UChar32 picture = 0x2400 + c;  // the control pictures of Unicode
-      cells.push_back({{'\xE2', static_cast<char>(0x90), static_cast<char>(0x80 | (picture & 0x3F))}, 1});
+      continue;
+    }
+    const std::string_view character =
+        text.substr(static_cast<std::size_t>(begin), static_cast<std::size_t>(i - begin));
+    const bool isShown = c >= 0 && !isHazard(static_cast<char32_t>(c)) && c != '\n';
+    if (isShown) {
+      cells.push_back({std::string(character), columnsOf(c)});
     } else {
-      cells.push_back({std::string(text.substr(static_cast<std::size_t>(begin), static_cast<std::size_t>(i - begin))),
-                       columnsOf(c)});
+      std::string shown = lineText(character);
+      const int width = shown[0] == '<' ? static_cast<int>(shown.size()) : 1;  // "<U+202E>", or one character
+      cells.push_back({std::move(shown), width});
     }
   }
   cellOfByte.push_back(cells.size());

@@ -7,26 +7,20 @@
 
 #include <ostream>
 
+#include "frontend/text/safe_text.hpp"
 #include "frontend/trace_format.hpp"
 
 namespace rungproof {
 
 namespace {
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
-}
-
 void appendHead(const Trace& trace, std::string& text) {
   text += trace.isByTime ? "time_ms" : "scan,time_ms,scan_ms";
   if (!trace.isByTime && trace.hasEvents()) text += trace.hasTwoEvents ? ",old.event,new.event" : ",event";
   if (!trace.isByTime && trace.hasDevices) text += ",device";
   if (trace.isWhole) text += ",given,start";
-  for (const auto& [name, value] : trace.start) text += ',' + name;
-  for (const TraceSignal& signal : trace.signals) text += ',' + quoted(signal.name);
+  for (const auto& [name, value] : trace.start) text += ',' + csvCell(name);
+  for (const TraceSignal& signal : trace.signals) text += ',' + csvCell(signal.name);
   text += '\n';
 }
 
@@ -42,10 +36,10 @@ void appendRow(const Trace& trace, const TraceRow& row, const BesideSignals& bes
   }
   appendMilliseconds(row.timeUs, text);
   if (!trace.isByTime) appendMilliseconds(row.scanUs, text += ',');
-  if (beside.hasEvents) text += ',' + quoted(row.events);
-  if (beside.hasEvents && trace.hasTwoEvents) text += ',' + quoted(row.newEvents);
-  if (beside.hasDevices) text += ',' + quoted(row.devices);
-  if (trace.isWhole) text += ',' + quoted(row.given) + ',' + (beside.isFirst ? quoted(trace.startValues) : "");
+  if (beside.hasEvents) text += ',' + csvCell(row.events);
+  if (beside.hasEvents && trace.hasTwoEvents) text += ',' + csvCell(row.newEvents);
+  if (beside.hasDevices) text += ',' + csvCell(row.devices);
+  if (trace.isWhole) text += ',' + csvCell(row.given) + ',' + (beside.isFirst ? csvCell(trace.startValues) : "");
   for (const auto& [name, value] : trace.start) text += ',' + (beside.isFirst ? std::to_string(value) : "");
   for (std::size_t i = 0; i < trace.signals.size(); ++i) {
     text += ',';

@@ -5,6 +5,7 @@
 
 #include "frontend/files/json.hpp"
 #include "frontend/picture/timing_diagram.hpp"
+#include "frontend/text/safe_text.hpp"
 #include "frontend/trace_format.hpp"
 #include "frontend/trace_page.hpp"
 

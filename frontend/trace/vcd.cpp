@@ -8,6 +8,7 @@
 #include <ostream>
 #include <set>
 
+#include "frontend/text/safe_text.hpp"
 #include "frontend/trace_format.hpp"
 
 namespace rungproof {
@@ -51,6 +52,14 @@ std::string meaningOf(const TraceSignal& signal) {
   const std::string address = toString(signal.operand) + (isValue ? ".value" : "");
   const std::string& symbol = signal.symbol.empty() && signal.name != address ? signal.name : signal.symbol;
   return address + (symbol.empty() ? "" : " ") + symbol;
+}
+
+/// A name within $comment, which the word $end ends.
+std::string commentText(const std::string& text) {
+  std::string line = lineText(text);
+  for (std::size_t at = line.find("$end"); at != std::string::npos; at = line.find("$end", at))
+    line.insert(at + 1, 1, '_');
+  return line;
 }
 
 /// The variables, their changes, and the times at which scans begin; a trace keyed by time has no scans.
@@ -98,7 +107,7 @@ class Dump {
     for (std::size_t i = 0; i < trace_.signals.size(); ++i) {
       const TraceSignal& signal = trace_.signals[i];
       const std::string plain = plainName(signal.name, taken);
-      names += fmt::format("  {} = {}\n", plain, meaningOf(signal));
+      names += fmt::format("  {} = {}\n", plain, commentText(meaningOf(signal)));
       variables += fmt::format("$var {} {} {} {} $end\n", variableType(signal), signal.isReal() ? 64 : signal.width(),
                                codeOf(i), plain);
     }

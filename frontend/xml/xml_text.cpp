@@ -28,6 +28,22 @@ std::string_view reasonOf(pugi::xml_parse_status status) {
   }
 }
 
+/// Control characters come by number only, "&#27;"; the text itself has lost them.
+bool hasControls(std::string_view text) {
+  return std::ranges::any_of(
+      text, [](char c) { return (c >= 0 && c < ' ' && c != '\n' && c != '\t' && c != '\r') || c == 0x7F; });
+}
+
+bool hasLines(std::string_view text) { return text.find_first_of("\r\n") != std::string_view::npos; }
+
+std::string withBlanks(std::string text, bool onOneLine) {
+  for (char& c : text) {
+    const bool isLine = c == '\n' || c == '\r';
+    if ((isLine && onOneLine) || (!isLine && hasControls({&c, 1}))) c = ' ';
+  }
+  return text;
+}
+
 }  // namespace
 
 bool looksLikeXml(std::string_view text) {
@@ -87,6 +103,7 @@ void XmlText::parse(std::uint32_t begin, std::uint32_t end, bool isWhole,
   if (result.status == pugi::status_ok && !part.document->first_child()) return;
   const auto at = static_cast<std::uint32_t>(std::clamp<std::ptrdiff_t>(result.offset, 0, end - begin)) + begin;
   parts_.push_back(std::move(part));
+  makeVisible(parts_.back());
   if (result.status == pugi::status_ok) return;
   sink_.report(Syntax::XmlDamaged, sink_.span(at, std::min<std::size_t>(at + 1, text.size())),
                fmt::format("{}; reading goes on at the next block", reasonOf(result.status)));
@@ -110,6 +127,24 @@ void XmlText::parse(std::uint32_t begin, std::uint32_t end, bool isWhole,
     parse(static_cast<std::uint32_t>(next), static_cast<std::uint32_t>(stop), false, restart);
     from = stop;
   }
+}
+
+void XmlText::makeVisible(const Part& part) {
+  forEachBelow(*part.document, [&](pugi::xml_node node) {
+    // A comment or a list of statements has lines; a name has one.
+    const bool isName = node.type() != pugi::node_element && localName(node.parent()).ends_with("Name");
+    bool isForbidden = hasControls(node.value());
+    if (isForbidden || (isName && hasLines(node.value()))) node.set_value(withBlanks(node.value(), isName).c_str());
+    for (pugi::xml_attribute attribute : node.attributes()) {
+      if (!hasControls(attribute.value()) && !hasLines(attribute.value())) continue;
+      isForbidden = isForbidden || hasControls(attribute.value());
+      attribute.set_value(withBlanks(attribute.value(), true).c_str());
+    }
+    if (!isForbidden || saysControls_) return;
+    saysControls_ = true;
+    sink_.report(Syntax::ControlCharacters, span(part, node),
+                 "XML has no such control character; it is read as a blank");
+  });
 }
 
 bool XmlText::declaresEntities() {

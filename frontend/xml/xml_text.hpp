@@ -35,6 +35,7 @@ class XmlText {
 
  private:
   void parse(std::uint32_t begin, std::uint32_t end, bool isWhole, std::initializer_list<std::string_view> restart);
+  void makeVisible(const Part& part);
   bool declaresEntities();
   void refuseWhatFollows();
   void refuseDepth();
@@ -42,6 +43,7 @@ class XmlText {
   const SourceFile& file_;
   SyntaxSink& sink_;
   std::vector<Part> parts_;
+  bool saysControls_ = false;  ///< once a file is enough
 };
 
 /// Whether the text looks like XML: its first character that is not blank is '<'.
