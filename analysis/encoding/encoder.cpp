@@ -41,7 +41,9 @@ class EncodedScan::Impl {
         isOfDevices = isOfDevices || isPulseEvent(event) || portEvent(event);
       }
     }
-    if (!routines.empty()) effects = std::make_shared<const RoutineEffects>(plan, layout, routines, isOfDevices);
+    if (options.trail) effects = options.trail->effects;  // of whoever wants others
+    if (!routines.empty() && !effects)
+      effects = std::make_shared<const RoutineEffects>(plan, layout, routines, isOfDevices);
     for (int round = 0; !learn(); ++round) {
       if (round == roundLimit) knowledge.followsPointers = false;
     }
@@ -81,7 +83,18 @@ class EncodedScan::Impl {
       if (const auto known = knowledge.later.find(cell.place); known != knowledge.later.end())
         later[cell.start] = known->second;
     }
-    closeValues(system, scan->pointerCells(), values, later, options.interruption);
+    std::map<Node, Walk> walks;
+    closeValues(system, scan->pointerCells(), values, later, options.interruption, &walks);
+    knowledge.walks.clear();
+    for (const auto& [pointer, walk] : walks) {
+      KnownWalk& known = knowledge.walks.emplace_back();
+      known.together = walk.together;
+      for (const Node n : walk.cells) {
+        const auto cell = std::ranges::find(scan->cells(), n, &Cell::start);
+        if (cell != scan->cells().end()) known.cells.push_back(cell->place);
+      }
+      if (known.cells.size() != walk.cells.size()) knowledge.walks.pop_back();
+    }
     std::vector<Place> firstScans;
     const std::vector<Node> firsts = firstScansOf(system);
     for (const Cell& cell : scan->cells()) {
@@ -205,6 +218,7 @@ const std::vector<TickSite>& EncodedScan::tickSites() const { return impl_->scan
 const std::vector<SiteInput>& EncodedScan::siteInputs() const { return impl_->scan->siteInputs; }
 const std::vector<EventSite>& EncodedScan::eventSites() const { return impl_->scan->eventSites; }
 const std::vector<Cell>& EncodedScan::cells() const { return impl_->scan->cells(); }
+ToldFacts EncodedScan::toldFacts() const { return impl_->scan->toldFacts(); }
 const std::vector<KeptCell>& EncodedScan::keptCells() const { return impl_->scan->keptCells; }
 std::vector<const BoundarySite*> EncodedScan::boundaries() const {
   std::vector<const BoundarySite*> all;

@@ -14,6 +14,7 @@
 
 #include "analysis/encoding/symbolic_store.hpp"
 #include "analysis/encoding/time_model.hpp"
+#include "analysis/encoding/told_facts.hpp"
 #include "analysis/encoding/trail.hpp"
 #include "analysis/graph/transition_system.hpp"
 #include "engine/scan_script.hpp"
@@ -172,6 +173,8 @@ class EncodedScan {
   const std::vector<Cell>& cells() const;
   /// Of an encoding that follows a trail.
   const std::vector<KeptCell>& keptCells() const;
+  /// The same: what it was told, of all that has been touched and asked up to now. Adds nodes to the graph.
+  ToldFacts toldFacts() const;
   /// Everything that has been read or written up to now except local memory, as runs of bits and registers.
   std::vector<Place> places() const;
 

@@ -459,7 +459,7 @@ class PointerCells {
 }  // namespace
 
 void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCells, VariableValues& values,
-                 VariableValues& later, const std::function<void()>& interruption) {
+                 VariableValues& later, const std::function<void()>& interruption, std::map<Node, Walk>* walks) {
   const Graph& graph = *system.graph;
   std::vector<Node> roots;
   for (const StateVariable& s : system.states) {
@@ -491,13 +491,14 @@ void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCe
         walked.insert(s.node);
         later.erase(s.node);
         values[s.node] = ValueSet::any(graph[s.node].width);
-        if (const auto walk = walkOf(system, s.node, firstScansOf(system), pointerValueLimit, interruption)) {
+        if (auto walk = walkOf(system, s.node, firstScansOf(system), pointerValueLimit, interruption)) {
           ValueSet& after = later[s.node];
-          for (const std::uint64_t v : *walk) after.join(ValueSet::of(v), pointerValueLimit);
+          for (const std::uint64_t v : walk->values) after.join(ValueSet::of(v), pointerValueLimit);
           if (s.init != noNode && graph[s.init].op == Op::Constant) {
             values[s.node] = after;
             values[s.node].join(ValueSet::of(graph[s.init].value), pointerValueLimit);
           }
+          if (walks != nullptr) walks->insert_or_assign(s.node, std::move(*walk));
         }
         isChanged = true;
       }

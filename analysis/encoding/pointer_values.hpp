@@ -9,6 +9,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -72,15 +73,24 @@ class ValueEvaluator {
   ValueSet fixedValue_;
 };
 
+/// What cells can be together at the start of scans that are not the first one.
+struct Walk {
+  std::vector<std::uint64_t> values;  ///< of the first of them, the pointer
+  std::vector<Node> cells;
+  std::set<std::vector<std::uint64_t>> together;  ///< a value for each
+};
+
 /// The state variables that are 1 at the start of the first scan only.
 std::vector<Node> firstScansOf(const TransitionSystem& system);
 
 /// Grows `values` (at least the initial ones on entry, or nothing for a variable) to a set of values closed under all
 /// next functions. `pointerCells`: variables to be followed value by value. `later`: what those of them that could be
 /// followed have at the start of all scans but the first; missing without
-/// firstScansOf. `interruption`, if set, is called now and then and may throw.
+/// firstScansOf. `interruption`, if set, is called now and then and may throw. `walks`: of pointers whose values end
+/// only because other cells do.
 void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCells, VariableValues& values,
-                 VariableValues& later, const std::function<void()>& interruption = {});
+                 VariableValues& later, const std::function<void()>& interruption = {},
+                 std::map<Node, Walk>* walks = nullptr);
 
 /// A node and the condition under which it is asked for, simplified by each other: what the parts of the condition
 /// choose between is chosen, in the node and in the other parts. Adds nodes to the graph.

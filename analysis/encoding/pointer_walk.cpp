@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t companionLimit = 12;  ///< cells that are tried
 constexpr std::size_t tupleLimit = 1024;
-constexpr std::size_t firstTuples = 64;  ///< in the first turn; twice as many in each that follows
+constexpr std::size_t firstTuples = 64;   ///< in the first turn; twice as many in each that follows
 constexpr std::size_t coneLimit = 20000;  ///< nodes of the next-state functions
 constexpr int solverLimit = 4000;         ///< calls of the solver, so that the answer does not depend on the machine
 constexpr double walkSeconds = 10;
@@ -30,7 +30,7 @@ class PointerWalk {
     for (const StateVariable& s : system.states) states_.emplace(s.node, s);
   }
 
-  std::optional<std::vector<std::uint64_t>> run() {
+  std::optional<Walk> run() {
     const std::vector<Node> near = companions();
     std::vector<std::vector<Node>> attempts{{}};
     for (const Node n : near) attempts.push_back({n});
@@ -45,7 +45,7 @@ class PointerWalk {
       std::vector<std::vector<Node>> longer;
       for (const std::vector<Node>& cells : attempts) {
         isCut_ = false;
-        if (const auto values = follow(cells, budget)) return values;
+        if (auto walk = follow(cells, budget)) return walk;
         if (budget.isExhausted() || calls_ > solverLimit) return std::nullopt;
         if (isCut_) longer.push_back(cells);
       }
@@ -70,7 +70,7 @@ class PointerWalk {
   }
 
   /// Closes the initial tuple under all steps; nothing if the tuples become too many.
-  std::optional<std::vector<std::uint64_t>> follow(const std::vector<Node>& cells, const Budget& budget) {
+  std::optional<Walk> follow(const std::vector<Node>& cells, const Budget& budget) {
     TransitionSystem step;  // variables are inputs of one step
     step.graph = &graph_;
     std::vector<Node> roots = cells;
@@ -137,7 +137,7 @@ class PointerWalk {
       }
       sat.add({-round});
     }
-    return std::vector<std::uint64_t>(values.begin(), values.end());
+    return Walk{{values.begin(), values.end()}, cells, std::move(seen)};
   }
 
   Graph& graph_;
@@ -153,9 +153,8 @@ class PointerWalk {
 
 }  // namespace
 
-std::optional<std::vector<std::uint64_t>> walkOf(const TransitionSystem& system, Node pointer,
-                                                 const std::vector<Node>& firstScans, std::size_t limit,
-                                                 const std::function<void()>& interruption) {
+std::optional<Walk> walkOf(const TransitionSystem& system, Node pointer, const std::vector<Node>& firstScans,
+                           std::size_t limit, const std::function<void()>& interruption) {
   return PointerWalk(system, pointer, firstScans, limit, interruption).run();
 }
 

@@ -8,15 +8,15 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/encoding/pointer_values.hpp"
 #include "analysis/graph/transition_system.hpp"
 
 namespace rungproof {
 
-/// The values that the state variable takes after one scan or more, in ascending order; nothing if they are more than
-/// `limit`, or if no few cells limit it. `firstScans`: variables that are 1 at the start of the first scan only.
-/// `interruption`, if set, is called now and then and may throw.
-std::optional<std::vector<std::uint64_t>> walkOf(const TransitionSystem& system, Node pointer,
-                                                 const std::vector<Node>& firstScans, std::size_t limit,
-                                                 const std::function<void()>& interruption = {});
+/// The values that the state variable takes after one scan or more, in ascending order, with the cells that limit it;
+/// nothing if they are more than `limit`, or if no few cells limit it. `firstScans`: variables that are 1 at the start
+/// of the first scan only. `interruption`, if set, is called now and then and may throw.
+std::optional<Walk> walkOf(const TransitionSystem& system, Node pointer, const std::vector<Node>& firstScans,
+                           std::size_t limit, const std::function<void()>& interruption = {});
 
 }  // namespace rungproof

@@ -2,9 +2,11 @@
 #include "analysis/encoding/routine_effects.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <memory>
 #include <random>
+#include <unordered_map>
 
 #include "analysis/encoding/exact_reals.hpp"
 #include "analysis/graph/evaluate.hpp"
@@ -40,13 +42,23 @@ bool usesReals(const Graph& graph, Node node) {
 /// Runs of routines on one graph; each run has a memory of its own that begins with the same variables.
 class RoutineEffects::Trial final : private CellSource, private Graph::Listener {
  public:
-  Trial(const Plan& plan, const MemoryLayout& layout) : plan_(plan), layout_(layout) { graph.listen(this); }
+  using Runs = std::map<std::vector<int>, Decisions>;
+  /// `runs`: what they are told is left there, or with Rewriting::None followed.
+  Trial(const Plan& plan, const MemoryLayout& layout, Rewriting rewriting, Runs& runs)
+      : graph(rewriting), plan_(plan), layout_(layout), runs_(runs) {
+    graph.listen(this);
+  }
 
   /// The memory after these routines ran one after the other.
-  std::unique_ptr<Graph::Store> run(std::initializer_list<int> routines, Node* halts = nullptr) {
+  std::unique_ptr<Graph::Store> run(const std::vector<int>& routines, Node* halts = nullptr) {
+    Decisions& decisions = runs_[routines];
+    decisions.next = 0;
+    if (!graph.isAsWritten()) decisions.made.clear();
     CellSource& source = *this;
     auto store = std::make_unique<Graph::Store>(graph, layout_, source, plan_);
     Machine<Graph> machine(graph, *store, plan_);
+    graph.decideBy(&decisions);
+    graph.decideUnder(&machine.guard);
     store->follow(&machine);
     // A queue may overflow between two runs: SM4.0 to SM4.2 change.
     store->observe([this, &written = *store](const Touch& touch) {
@@ -61,7 +73,9 @@ class RoutineEffects::Trial final : private CellSource, private Graph::Listener 
     Scan<Graph, Hooks> scan(machine, hooks, trialLoops, trialSteps);
     for (const int routine : routines) scan.interrupt(routine, graph.constant(true));
     if (halts != nullptr) *halts = machine.halted.node;
-    if (graph.truth(machine.halted) != false) mayHalt = true;
+    if (graph.truthEverywhere(machine.halted) != false) mayHalt = true;
+    graph.decideBy(nullptr);
+    graph.decideUnder(nullptr);
     store->follow(nullptr);
     store->observe({});
     return store;
@@ -110,6 +124,7 @@ class RoutineEffects::Trial final : private CellSource, private Graph::Listener 
 
   const Plan& plan_;
   const MemoryLayout& layout_;
+  Runs& runs_;
   std::map<Place, Node> cells_;
   Graph::Store* store_ = nullptr;
 };
@@ -142,7 +157,7 @@ Graph::Bool RoutineEffects::mayBecome(Graph& graph, const Place& place, Node bef
 RoutineEffects::RoutineEffects(const Plan& plan, const MemoryLayout& layout, const std::set<int>& routines,
                                bool isOfDevices)
     : isOnePassEnough_(!isOfDevices) {
-  Trial trial(plan, layout);
+  Trial trial(plan, layout, Rewriting::Full, runs_);
   const auto differ = [&](Graph::Store& a, Graph::Store& b) {
     std::set<Place> all;
     for (const Graph::Store* store : {&a, &b}) {
@@ -207,7 +222,7 @@ void RoutineEffects::findBounds(Trial& trial) {
     }
   }
   const std::vector<Node> cone = coneOf(graph, roots);
-  if (cone.size() > mostNodesTried) return;  // no bounds: what is written may become anything
+  if (cone.size() > mostNodesTried) return;          // no bounds: what is written may become anything
   std::map<int, std::set<std::uint64_t>> constants;  // by width
   std::vector<Node> variables;
   for (const Node n : cone) {
@@ -313,6 +328,100 @@ void RoutineEffects::findBounds(Trial& trial) {
     }
   }
   for (Written& w : all) bounds_[w.place] = std::move(w.bounds);
+}
+
+std::vector<Node> RoutineEffects::facts(Trial& trial) const {
+  Graph& graph = trial.graph;
+  std::vector<Node> facts;
+  const auto say = [&](Graph::Bool fact) { facts.push_back(fact.node); };
+  const auto same = [&](Node a, Node b) { return graph.equal({a}, {b}, graph[a].width); };
+  std::map<int, std::unique_ptr<Graph::Store>> once;
+  for (const auto& [routine, places] : written_) {
+    Node halts = noNode;
+    Graph::Store& store = *once.emplace(routine, trial.run({routine}, &halts)).first->second;
+    const std::vector<Cell> cells = store.cells();
+    for (const Cell& cell : cells) {
+      const Node after = store.value(cell.place);
+      const bool isSaid = isKeptAround(cell.place) || std::ranges::binary_search(places, cell.place);
+      if (!isSaid && after != cell.start) say(same(after, cell.start));
+    }
+    if (!halting_.contains(routine)) say(graph.lnot({halts}));
+  }
+  const auto agree = [&](Graph::Store& a, Graph::Store& b) {
+    std::set<Place> all;
+    for (const Graph::Store* store : {&a, &b}) {
+      for (const Cell& cell : store->cells()) all.insert(cell.place);
+    }
+    for (const Place& place : all) {
+      if (!isKeptAround(place)) say(same(a.value(place), b.value(place)));
+    }
+  };
+  for (auto a = once.begin(); a != once.end() && isOnePassEnough_; ++a) {
+    agree(*a->second, *trial.run({a->first, a->first}));
+    for (auto b = std::next(a); b != once.end(); ++b)
+      agree(*trial.run({a->first, b->first}), *trial.run({b->first, a->first}));
+  }
+  if (!isOnePassEnough_) {
+    std::map<Place, Node> before;
+    Graph::Bool areWithin = graph.constant(true);
+    for (const auto& [place, bounds] : bounds_) {
+      const Node from = graph.variable("before " + nameOf(place), place.width, false);
+      before.emplace(place, from);
+      for (const Bound& bound : bounds) {
+        say({bound.holds(graph, from, from)});
+        areWithin = graph.land(areWithin, {bound.holds(graph, from, trial.start(place))});
+      }
+    }
+    for (const auto& [routine, store] : once) {
+      for (const Place& place : written_.at(routine)) {
+        const auto bounds = bounds_.find(place);
+        if (bounds == bounds_.end()) continue;
+        for (const Bound& bound : bounds->second)
+          say(graph.lor(graph.lnot(areWithin), {bound.holds(graph, before.at(place), store->value(place))}));
+      }
+    }
+  }
+  for (const Graph::Decided& d : graph.decided()) {
+    const int w = graph[d.node].width;
+    const Graph::Bool fact = graph.equal({d.node}, graph.literal(d.value, w), w);
+    say(d.guard == noNode ? fact : graph.lor(graph.lnot({d.guard}), fact));
+  }
+  if (!trial.isComplete || (isOnePassEnough_ && trial.readsOverflow)) say(graph.constant(false));
+  return facts;
+}
+
+std::vector<Node> RoutineEffects::asFacts(Graph& graph, const Plan& plan, const MemoryLayout& layout) const {
+  if (!isComplete_) return {};  // nothing is said of them
+  Trial::Runs runs = runs_;
+  Trial trial(plan, layout, Rewriting::None, runs);
+  std::vector<Node> roots;
+  try {
+    roots = facts(trial);
+  } catch (const DecisionsDiverge&) {
+    return {graph.constantNode(0, 1)};
+  }
+  const Graph& from = trial.graph;
+  std::unordered_map<std::uint32_t, Node> copies;
+  for (const Node n : coneOf(from, roots)) {
+    const NodeData& node = from[n];
+    std::array<Node, 3> child = node.child;
+    for (Node& c : child) c = c == noNode ? c : copies.at(indexOf(c));
+    Node copy = noNode;
+    if (node.op == Op::Constant)
+      copy = graph.constantNode(node.value, node.width);
+    else if (node.op == Op::Variable)
+      copy = graph.variable("routine alone: " + from.variables()[node.value].name, node.width, false);
+    else
+      copy = graph.make(node.op, node.width, child[0], child[1], child[2], node.value);
+    copies.emplace(indexOf(n), copy);
+  }
+  for (Node& root : roots) root = copies.at(indexOf(root));
+  return roots;
+}
+
+void RoutineEffects::forget(const Place& place) {
+  for (auto& [routine, places] : written_) std::erase(places, place);
+  bounds_.erase(place);
 }
 
 }  // namespace rungproof

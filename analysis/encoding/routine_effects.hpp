@@ -35,6 +35,14 @@ class RoutineEffects {
   /// Whether `after` can stand where `before` stood when the runs began.
   Graph::Bool mayBecome(Graph& graph, const Place& place, Node before, Node after) const;
 
+  /// What all this says, as nodes of a graph of the program as it is written that are 1 whatever the memory holds: the
+  /// routines are run once more without simplification. By routine: it writes nothing else, it does not end the
+  /// program; then that runs repeat and change places, or by routine and bound, that one run from a state within all
+  /// bounds ends within it.
+  std::vector<Node> asFacts(Graph& graph, const Plan& plan, const MemoryLayout& layout) const;
+  /// A mistake that tests plant: says that no routine writes the place.
+  void forget(const Place& place);
+
  private:
   class Trial;
   struct Bound {
@@ -43,12 +51,14 @@ class RoutineEffects {
     Node holds(Graph& graph, Node before, Node after) const;
   };
   void findBounds(Trial& trial);
+  std::vector<Node> facts(Trial& trial) const;
 
   bool isOnePassEnough_ = true;
   bool isComplete_ = true;
   std::map<int, std::vector<Place>> written_;
   std::set<int> halting_;
   std::map<Place, std::vector<Bound>> bounds_;
+  std::map<std::vector<int>, Decisions> runs_;  ///< what each sequence of runs was told
 };
 
 }  // namespace rungproof

@@ -58,6 +58,7 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
       options_(optionsFor(program, options)),
       contracts_(program),
       plan_(plan),
+      layout_(layout),
       knowledge_(knowledge),
       initial_(powerUpState(plan, options.choices)),
       store_(graph, layout, *this, plan),
@@ -73,6 +74,7 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
       effects_(effects) {
   graph.listen(this);
   if (knowledge.isFinal && options.trail) graph.decideBy(&options.trail->decisions);
+  graph.decideUnder(&machine_.guard);
   store_.follow(&machine_);
   if (time.constraint() != noNode) {
     constraints_.push_back(time.constraint());
@@ -85,7 +87,7 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
   });
   prepareTicks();
   prepareWatched();
-  const bool records = !knowledge.isFinal && (!events_.empty() || !tickKeys_.reads.empty());
+  const bool records = (!knowledge.isFinal || graph.isAsWritten()) && (!events_.empty() || !tickKeys_.reads.empty());
   store_.observe([this, records](const Touch& touch) {
     if (touch.isWrite) widening_.note(touch.place);
     // Saving and restoring around a routine is not its doing.
@@ -146,7 +148,10 @@ void ScanEncoding::before(Runner& runner, const FlowStep& step) {
   boundary(runner, step.instruction->id);
   if (!attachments_.empty()) noteAttachment(*step.instruction);
   if (options_.interruption) options_.interruption();
-  if (options_.atInstruction && knowledge_.isFinal) options_.atInstruction(runner.machine(), *step.instruction);
+  if (!options_.atInstruction || !knowledge_.isFinal) return;
+  const bool wasRecording = std::exchange(isRecording_, false);  // what is asked there is not the program's doing
+  options_.atInstruction(runner.machine(), *step.instruction);
+  isRecording_ = wasRecording;
 }
 
 void ScanEncoding::callWithoutBody(Runner& runner, const Instruction& instruction) {
@@ -353,7 +358,14 @@ bool ScanEncoding::isPossible(Graph::Bool condition) {
     prunesLoops_ = prunesLoops_ || !isSo;
     return std::vector<std::uint64_t>{isSo ? 1ULL : 0ULL};
   });
+  if (!answer || answer->empty()) return true;
+  if (answer->front() == 0) tellList(graph.lnot(condition));
   return answer->front() != 0;
+}
+
+/// Where the machine is, what was said of values that were listed is so.
+void ScanEncoding::tellList(Graph::Bool isIn) {
+  if (graph.isAsWritten()) listFacts.push_back(graph.lor(graph.lnot(machine_.guard), isIn).node);
 }
 
 /// The stack and what the rounds write take any value where the loop goes on.
@@ -437,7 +449,7 @@ ValueSet ScanEncoding::listedOrBounded(Node pointer, Node guard) {
 
 /// All values that the pointer can have here; nothing if they are too many.
 std::optional<std::vector<std::uint64_t>> ScanEncoding::targetsOf(Node pointer, Node guard) {
-  return graph.listed([&]() -> std::optional<std::vector<std::uint64_t>> {
+  const auto values = graph.listed([&]() -> std::optional<std::vector<std::uint64_t>> {
     for (const Node n : variablesOf(graph, pointer)) {
       if (graph.variables()[graph[n].value].isState) pointerCells_.insert(n);
     }
@@ -446,6 +458,13 @@ std::optional<std::vector<std::uint64_t>> ScanEncoding::targetsOf(Node pointer, 
     if (!values.isListed()) return std::nullopt;
     return values.values();
   });
+  if (!values || !graph.isAsWritten()) return values;
+  Graph::Bool isIn = graph.constant(false);
+  const int width = graph[pointer].width;
+  for (const std::uint64_t value : *values)
+    isIn = graph.lor(isIn, graph.equal({pointer}, graph.literal(value, width), width));
+  tellList(isIn);
+  return values;
 }
 
 /// The values that the pointer can have here decide between a few places; a legal one is always among them.
@@ -486,18 +505,24 @@ std::optional<std::vector<std::uint64_t>> ScanEncoding::locations(Machine<Graph>
 
 std::optional<std::vector<std::uint64_t>> ScanEncoding::locationsInBlock(Machine<Graph>& machine, Graph::Bits location,
                                                                          Width width) {
-  return graph.listed([&]() -> std::optional<std::vector<std::uint64_t>> {
+  const auto start = graph.listed([&]() -> std::optional<std::vector<std::uint64_t>> {
     if (!knowledge_.followsPointers) return std::nullopt;
     const Graph::Facts facts = listedOrBounded(location.node, machine.guard.node).facts();
     const std::optional<std::uint32_t> block = blockOfLocation(facts.ones, facts.zeros | facts.ones);
-    if (!block) return std::nullopt;
-    const std::uint32_t length = plan_.blocks->length(*block), own = static_cast<std::uint32_t>(bytes(width));
-    const std::uint32_t step = width == Width::Bit ? 1 : 8, count = length < own ? 0 : (length - own + 1) * 8 / step;
-    if (count > pointerValueLimit) return std::nullopt;
-    std::vector<std::uint64_t> places;
-    for (std::uint32_t i = 0; i < count; ++i) places.push_back(locationInBlock(*block, i * step));
-    return places;
+    return block ? std::optional(std::vector{locationInBlock(*block, 0)}) : std::nullopt;
   });
+  if (!start || start->empty()) return std::nullopt;
+  constexpr int addressBits = 24;
+  const auto block = static_cast<std::uint32_t>(start->front() >> addressBits & 0xFFFF);
+  const int w = graph[location.node].width, above = w - addressBits;
+  tellList(graph.equal(graph.extract(location, w - 1, addressBits), graph.literal(start->front() >> addressBits, above),
+                       above));
+  const std::uint32_t length = plan_.blocks->length(block), own = static_cast<std::uint32_t>(bytes(width));
+  const std::uint32_t step = width == Width::Bit ? 1 : 8, count = length < own ? 0 : (length - own + 1) * 8 / step;
+  if (count > pointerValueLimit) return std::nullopt;
+  std::vector<std::uint64_t> places;
+  for (std::uint32_t i = 0; i < count; ++i) places.push_back(locationInBlock(block, i * step));
+  return places;
 }
 
 /// A module may be asked that does not answer, which calls OB122; a block may be written that is protected.

@@ -12,17 +12,25 @@
 #include "analysis/encoding/loop_widening.hpp"
 #include "analysis/encoding/pointer_values.hpp"
 #include "analysis/encoding/routine_effects.hpp"
+#include "analysis/encoding/told_facts.hpp"
 #include "ir/s7200/call_contract.hpp"
 #include "ir/s7200/event.hpp"
 #include "ir/s7200/scan_cycle.hpp"
 
 namespace rungproof {
 
+/// What cells can be together at the start of all scans but the first.
+struct KnownWalk {
+  std::vector<Place> cells;
+  std::set<std::vector<std::uint64_t>> together;
+};
+
 /// What earlier runs have found out about the program.
 struct Knowledge {
   std::map<Place, ValueSet> values;          ///< of cells at the start of scans, as far as they are known
   std::vector<Place> firstScans;             ///< 1 at the start of the first scan only
   std::map<Place, ValueSet> later;           ///< of pointer cells at the start of all scans but the first
+  std::vector<KnownWalk> walks;              ///< of pointer cells
   std::map<Place, std::uint64_t> constants;  ///< cells that keep one value in all runs
   Footprints footprints;
   TableTargets tables;          ///< of devices, where pointers lead to them
@@ -68,6 +76,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   Node faulted() const { return machine_.faulted.node; }
   Node start(const Place& place);
   TransitionSystem system();
+  ToldFacts toldFacts();
 
   Graph graph;
   TimeModel time;
@@ -79,6 +88,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   std::vector<EventSite> eventSites;
   std::vector<SiteInput> siteInputs;
   std::vector<KeptCell> keptCells;                    ///< instead of constants, where a trail is followed
+  std::vector<Node> listFacts;                        ///< the same: that lists of values which it tells are complete
   std::map<std::uint32_t, std::vector<Node>> visits;  ///< by instruction that has a site: guards of its executions
   std::vector<Place> places() const { return store_.places(); }
   const std::vector<Cell>& cells() const { return store_.cells(); }
@@ -110,6 +120,9 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   void report(Hazard hazard, Graph::Bool condition, const Instruction* place) override;
   ValueSet pointerValues(Node pointer, Node guard);
   ValueSet listedOrBounded(Node pointer, Node guard);
+  void tellList(Graph::Bool isIn);
+  std::vector<Node> decidedFacts();
+  void addKnownValues(ToldFacts& told);
   Graph::Bool targets(Machine<Graph>& machine, Graph::Bits pointer, Width width, Ref<Graph>& ref) override;
   std::optional<std::vector<std::uint64_t>> locations(Machine<Graph>& machine, Graph::Bits location) override;
   std::optional<std::vector<std::uint64_t>> locationsInBlock(Machine<Graph>& machine, Graph::Bits location,
@@ -185,6 +198,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   const EncoderOptions options_;
   const CallContracts contracts_;
   const Plan& plan_;
+  const MemoryLayout& layout_;
   const Knowledge& knowledge_;
   Concrete::Store initial_;
   Graph::Store store_;

@@ -150,7 +150,7 @@ void Graph::Store::save(Area area, std::uint32_t offset, int width, Bits value, 
   }
   Node stored =
       graph_.make(Op::Extract, inside, value.node, noNode, noNode, static_cast<std::uint64_t>(width - inside));
-  if (graph_.truth(guard) != true) {
+  if (graph_.truthEverywhere(guard) != true) {
     touch(area, first, inside);
     stored = graph_.make(Op::Ite, inside, guard.node, stored, join(area, first, inside));
   }
@@ -169,7 +169,7 @@ void Graph::Store::set(Reg reg, std::uint32_t index, Bits value, Bool guard) {
   const int width = regInfo(reg).width;
   CHECK(graph_[value.node].width == width, "register written in another width");
   Node stored = value.node;
-  if (graph_.truth(guard) != true) {
+  if (graph_.truthEverywhere(guard) != true) {
     touchRegister(reg, index);
     stored = graph_.make(Op::Ite, width, guard.node, stored, registers_[static_cast<std::size_t>(reg)][index]);
   }

@@ -1,8 +1,12 @@
 // Asks again, of the systems as they are written.
 #include "analysis/equivalence/equality_proof.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <unordered_map>
+
+#include "analysis/proof/told_proof.hpp"
 
 namespace rungproof {
 
@@ -37,6 +41,16 @@ EqualityProof::EqualityProof(ProgramProduct& written, const std::vector<std::str
   const JoinedSystem joined = written.merged(merges, true, conditions_);
   writeMemory(joined, own);
   writeOutputs(written, joined, merges);
+  writeTold(written.oldSystem(), written.oldSide().encoding().toldFacts(), "OLD");
+  writeTold(written.newSystem(), written.newSide().encoding().toldFacts(), "NEW");
+}
+
+void EqualityProof::writeTold(const TransitionSystem& system, const ToldFacts& told, const std::string& side) {
+  ToldProof proof(system, told);
+  if (proof.check({.each = seconds_, .total = 3 * seconds_}) != CheckResult::Valid)
+    missing_.push_back(fmt::format("what the encoding of {} was told: {}", side, proof.reason()));
+  else if (std::string text = proof.text(); !text.empty())
+    certificates_.emplace_back("decisions_" + side, std::move(text));
 }
 
 std::vector<Question> EqualityProof::prove(const TransitionSystem& system, const std::vector<Question>& questions,

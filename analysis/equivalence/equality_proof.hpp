@@ -3,9 +3,9 @@
 // then all of them are equal in every scan. On that rests the certificate of each output: in the system in which one
 // state stands for each pair, the output never differs. Where outputs depend on devices, which are one and the same for
 // both programs there, one more for each request says that both ask the same. What is asked is asked of the encodings
-// along the trails of the simplified ones (encoding/trail.hpp): values that were simplified need not be believed. The
-// decisions of the trails are: known conditions, targets of pointers, effects of interrupt routines. Tested by
-// tests/equivalence/certificates_test.cpp.
+// along the trails of the simplified ones (encoding/trail.hpp): values that were simplified need not be believed, nor
+// the decisions of the trails: one more certificate for each program shows known conditions, targets of pointers and
+// effects of interrupt routines (proof/told_proof.hpp). Tested by tests/equivalence/certificates_test.cpp.
 #pragma once
 
 #include <string>
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "analysis/encoding/exact_reals.hpp"
+#include "analysis/encoding/told_facts.hpp"
 #include "analysis/equivalence/correspondence.hpp"
 
 namespace rungproof {
@@ -38,6 +39,7 @@ class EqualityProof {
                               CertificateWriter& writer);
   void writeMemory(const JoinedSystem& joined, const std::vector<std::string>& names);
   void writeOutputs(ProgramProduct& written, const JoinedSystem& joined, const std::vector<bool>& isMerged);
+  void writeTold(const TransitionSystem& system, const ToldFacts& told, const std::string& side);
   bool writeOutput(const TransitionSystem& system, const Question& question, double longest);
 
   const std::vector<PairCondition>& conditions_;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,15 @@ struct Decisions {
   };
   std::vector<One> made;
   std::size_t next = 0;  ///< of those that are followed
+  /// By place in `made`: answers that are told instead of the right ones. Mistakes that tests plant.
+  std::map<std::size_t, std::optional<std::uint64_t>> planted{};
+
+  /// What is told.
+  std::optional<std::uint64_t> record(Kind kind, std::optional<std::uint64_t> answer) {
+    if (const auto other = planted.find(made.size()); other != planted.end()) answer = other->second;
+    made.push_back({kind, answer});
+    return answer;
+  }
 };
 
 /// The second encoding asks something else: it cannot be made so.

@@ -191,15 +191,14 @@ std::optional<std::uint64_t> Graph::take(Decisions::Kind kind) const {
   return decisions_->made[decisions_->next++].answer;
 }
 
-std::optional<std::uint64_t> Graph::decide(Node n) const {
+std::optional<std::uint64_t> Graph::decide(Node n, const Bool* guard) const {
   const std::optional<std::uint64_t> own = isConstant(n) ? std::optional((*this)[n].value) : std::nullopt;
   if (decisions_ == nullptr) return own;
   if (!isAsWritten_) {
-    record(Decisions::Kind::Value, own);
-    return own;
+    return record(Decisions::Kind::Value, own);
   }
   const std::optional<std::uint64_t> answer = take(Decisions::Kind::Value);
-  if (answer && own != answer) decided_.push_back({n, *answer});
+  if (answer && own != answer) decided_.push_back({guard == nullptr ? noNode : guard->node, n, *answer});
   return answer;
 }
 
@@ -210,12 +209,16 @@ Graph::Bool Graph::lor(Bool a, Bool b) { return {make(Op::Or, 1, a.node, b.node)
 Graph::Bool Graph::lxor(Bool a, Bool b) { return {make(Op::Xor, 1, a.node, b.node)}; }
 Graph::Bool Graph::select(Bool c, Bool a, Bool b) { return {make(Op::Ite, 1, c.node, a.node, b.node)}; }
 std::optional<bool> Graph::truth(Bool a) const {
-  const std::optional<std::uint64_t> value = decide(a.node);
+  const std::optional<std::uint64_t> value = decide(a.node, guard_);
+  return value ? std::optional(*value != 0) : std::nullopt;
+}
+std::optional<bool> Graph::truthEverywhere(Bool a) const {
+  const std::optional<std::uint64_t> value = decide(a.node, nullptr);
   return value ? std::optional(*value != 0) : std::nullopt;
 }
 
 Graph::Bits Graph::literal(std::uint64_t v, int w) { return {constantNode(v, w)}; }
-std::optional<std::uint64_t> Graph::known(Bits a) const { return decide(a.node); }
+std::optional<std::uint64_t> Graph::known(Bits a) const { return decide(a.node, guard_); }
 Graph::Bits Graph::add(Bits a, Bits b, int w) { return {make(Op::Add, w, a.node, b.node)}; }
 Graph::Bits Graph::sub(Bits a, Bits b, int w) { return {make(Op::Sub, w, a.node, b.node)}; }
 Graph::Bits Graph::mul(Bits a, Bits b, int w) { return {make(Op::Mul, w, a.node, b.node)}; }

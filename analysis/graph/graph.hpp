@@ -141,6 +141,8 @@ class Graph {
   /// Whether two conditions are one node; different nodes may still mean the same.
   bool isSame(Bool a, Bool b) const { return a.node == b.node; }
   std::optional<bool> truth(Bool a) const;
+  /// The same for who relies on the answer outside the guard as well.
+  std::optional<bool> truthEverywhere(Bool a) const;
   Bits literal(std::uint64_t v, int w);
   std::optional<std::uint64_t> known(Bits a) const;
   Bits add(Bits a, Bits b, int w);
@@ -183,12 +185,16 @@ class Graph {
   template <class Find>
   std::optional<std::vector<std::uint64_t>> listed(Find&& find);
   bool isAsWritten() const { return isAsWritten_; }
-  /// Nodes that were said to have a value by decisions that this graph follows, and are no constants.
+  /// A node that was said to have a value by decisions that this graph follows, and is not that constant: where `guard`
+  /// holds (noNode: everywhere).
   struct Decided {
+    Node guard;
     Node node;
     std::uint64_t value;
   };
   const std::vector<Decided>& decided() const { return decided_; }
+  /// What holds where a decision is asked for: values that are read under it matter only there. nullptr: nothing.
+  void decideUnder(const Bool* guard) { guard_ = guard; }
 
   // ---- What the machine asks for beyond values ------------------------------------------------------
   /// A fresh input for the site; the encoder remembers which (analysis/encoding/encoder.hpp).
@@ -235,9 +241,9 @@ class Graph {
   };
 
   // graph.cpp
-  std::optional<std::uint64_t> decide(Node n) const;
-  void record(Decisions::Kind kind, std::optional<std::uint64_t> answer) const {
-    decisions_->made.push_back({kind, answer});
+  std::optional<std::uint64_t> decide(Node n, const Bool* guard) const;
+  std::optional<std::uint64_t> record(Decisions::Kind kind, std::optional<std::uint64_t> answer) const {
+    return decisions_->record(kind, answer);
   }
   std::optional<std::uint64_t> take(Decisions::Kind kind) const;
   Node asWritten(Op op, int width, Node a, Node b, Node c, std::uint64_t value);
@@ -305,6 +311,7 @@ class Graph {
   Listener* listener_ = nullptr;
   bool isAsWritten_ = false;
   Decisions* decisions_ = nullptr;
+  const Bool* guard_ = nullptr;
   mutable std::vector<Decided> decided_;
 };
 
@@ -313,7 +320,8 @@ std::optional<std::vector<std::uint64_t>> Graph::listed(Find&& find) {
   if (decisions_ == nullptr || !isAsWritten_) {
     std::optional<std::vector<std::uint64_t>> found = find();
     if (decisions_ == nullptr) return found;
-    record(Decisions::Kind::Targets, found ? std::optional<std::uint64_t>(found->size()) : std::nullopt);
+    const std::optional<std::uint64_t> size = found ? std::optional<std::uint64_t>(found->size()) : std::nullopt;
+    if (const auto told = record(Decisions::Kind::Targets, size); told && found) found->resize(*told);
     for (std::size_t i = 0; found && i < found->size(); ++i) record(Decisions::Kind::Target, (*found)[i]);
     return found;
   }

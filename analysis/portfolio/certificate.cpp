@@ -175,6 +175,21 @@ void CertificateWriter::addStart(const std::string& name, const std::vector<Node
   initiation(start);
 }
 
+void CertificateWriter::addInvariant(const std::string& name, const WordCertificate& certificate) {
+  questions_.push_back(name);
+  initiation(certificate);
+  consecution(certificate);
+}
+
+void CertificateWriter::addConsequence(const char* name, const WordCertificate& certificate, Node fact) {
+  questions_.push_back(std::string(questions_.back()));
+  Parts parts;
+  addAll(parts, certificate.invariant, 0);
+  addAll(parts, system_.constraints, 0);
+  parts.push_back(notAll({fact}, 0));
+  oblige(name, std::move(parts));
+}
+
 std::string CertificateWriter::text() const {
   CertificateText text(system_, surfaces_);
   for (const Obligation& o : obligations_) text.add(o, questions_[o.certificate]);

@@ -45,6 +45,10 @@ class CertificateWriter {
   void add(const Question& question, const WordCertificate& certificate);
   /// Only that these nodes over states are 1 at the start of the first scan.
   void addStart(const std::string& name, const std::vector<Node>& facts);
+  /// Only that the certificate's invariant holds in every scan.
+  void addInvariant(const std::string& name, const WordCertificate& certificate);
+  /// That the node is 1 in every scan in which the invariant holds; an obligation of that name.
+  void addConsequence(const char* name, const WordCertificate& certificate, Node fact);
   /// A self-contained file: each obligation between push and pop, with the expected answer unsat.
   std::string text() const;
   /// Checks the obligations. By certificate, in the order of add().

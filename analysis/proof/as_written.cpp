@@ -28,6 +28,11 @@ AsWritten::AsWritten(QuestionSystem& simplified, std::unique_ptr<QuestionSystem>
   }
 }
 
+ToldProof& AsWritten::told() {
+  if (!told_) told_.emplace(side_->system(), side_->askedProperties().encoding().toldFacts());
+  return *told_;
+}
+
 const TransitionSystem& AsWritten::system(std::size_t question, bool isWritten) {
   if (!isWritten) return side_->system();
   const auto found = written_.find(question);

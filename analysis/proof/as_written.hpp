@@ -1,9 +1,8 @@
 // AsWritten: the system of a program beside the simplified one on which proofs are found: the same scan encoded along
 // the same trail, but with every operation as it was written. Certificates are about this one, and exports print it: a
-// value that a simplification gets wrong cannot pass for a proof. What the trail says is followed and not shown: which
-// way conditions of the flow have a known value (Graph::decided() lists those that are no constants here), which
-// targets a pointer can have, and what runs of interrupt routines leave. A decision that is wrong would pass. Cells
-// that keep their value are shown, as part of the invariant. Covered by tests/certificate.
+// value that a simplification gets wrong cannot pass for a proof. What the trail says is followed, and shown beside the
+// property (told()): which conditions have a known value, which targets a pointer can have, what runs of interrupt
+// routines leave. Cells that keep their value are part of each invariant. Covered by tests/certificate.
 #pragma once
 
 #include <map>
@@ -14,6 +13,7 @@
 #include "analysis/portfolio/certificate.hpp"
 #include "analysis/portfolio/local_proof.hpp"
 #include "analysis/proof/question_system.hpp"
+#include "analysis/proof/told_proof.hpp"
 
 namespace rungproof {
 
@@ -25,6 +25,8 @@ class AsWritten {
   /// `isWritten`: with REAL operations written out.
   const TransitionSystem& system(std::size_t question, bool isWritten);
   const Question& question(std::size_t question, bool isWritten);
+  /// That what the encoding was told along the trail holds.
+  ToldProof& told();
   /// Whether what is asked is a constant, though nothing was simplified.
   bool isDecidedByForm(std::size_t question);
 
@@ -45,6 +47,7 @@ class AsWritten {
   KnownVariables kept_;                              ///< variables here that keep a value
   std::unordered_map<std::uint32_t, Node> next_;     ///< of state variables
   std::map<std::size_t, TransitionSystem> written_;  ///< by question
+  std::optional<ToldProof> told_;
 };
 
 }  // namespace rungproof

@@ -191,6 +191,7 @@ class Session {
     if (options_.explains || row.outcome == Outcome::Unknown) noteApproximations(question, row);
     guardInterrupts(row);
     guardLeftOut(row);
+    guardDecisions(row);
     guardUnreadCode(row);
     if (options_.explains) nameCircumstances(question, row);
   }
@@ -247,6 +248,16 @@ class Session {
       if (approximation.leftOut != noNode)
         row.notes.push_back("not followed: " + approximationText(program_, approximation));
     }
+  }
+
+  /// A proof about a program that was read along a decision which does not hold is none.
+  void guardDecisions(ProofResult& row) {
+    if (row.outcome != Outcome::Proved && row.outcome != Outcome::Unreachable) return;
+    const std::string wrong = search_.wrongDecisions();
+    if (wrong.empty()) return;
+    row.outcome = Outcome::Unknown;
+    row.certificate.clear();
+    row.notes.push_back("the proof is refused: " + wrong);
   }
 
   /// Networks that decide the property: a proof without earlier scans depends on the state that its invariant speaks

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analysis/asking/rule_question.hpp"
+#include "analysis/encoding/trail.hpp"
 #include "analysis/schedule/schedule.hpp"
 #include "analysis/schedule/technique.hpp"
 #include "analysis/unread/unread_code.hpp"
@@ -38,6 +39,7 @@ struct ProverOptions {
   bool usesCone = true;       ///< encode only networks that can have an effect on what is asked (cone_of_influence.hpp)
   const UnreadCode* unread = nullptr;  ///< what was left out of the program: all that depends on it is NOT COVERED
   const std::atomic<bool>* cancel = nullptr;  ///< set from outside, as by Ctrl-C: the run ends with what is settled
+  std::shared_ptr<Trail> planted{};           ///< by tests: what the encoding is told with mistakes
 };
 
 /// How the program is encoded; relaxed: with scans of any length (time_model.hpp).

@@ -82,7 +82,7 @@ void QuestionSearch::encode(Clock::time_point deadline) {
   if (options_.bound == 0 && !goals_.empty() && options_.techniques.has(Technique::EarlyRuns))
     runs.emplace(*this, deadline);
   EncoderOptions options = encoding(false);
-  if (options_.evidence) options.trail = trail_ = std::make_shared<Trail>();
+  if (options_.evidence) options.trail = trail_ = options_.planted ? options_.planted : std::make_shared<Trail>();
   exact_ = std::make_unique<QuestionSystem>(program_, set_, goals_, options, options_.checks);
 }
 
@@ -138,6 +138,26 @@ std::vector<CheckResult> QuestionSearch::judge(const std::vector<Claim>& claims,
     if (results[i] == CheckResult::Valid && !isWritten) certifiedWithReals_.insert(question);
   }
   return results;
+}
+
+std::string QuestionSearch::wrongDecisions() {
+  AsWritten* side = options_.evidence ? asWritten() : nullptr;
+  if (side == nullptr) return {};
+  // What was found before an interruption is worth a short look.
+  const bool isStopped = watch_.isStopped();
+  std::atomic<bool> cancel{false};
+  const ProofWatch::Guard guard(watch_, cancel);
+  CheckLimits limits;
+  limits.each = schedule::toldSeconds;
+  limits.total = isStopped ? schedule::leastCheck : 3 * schedule::toldSeconds;
+  limits.memory = options_.memory;
+  limits.cancel = isStopped ? nullptr : &cancel;
+  const CheckResult result = side->told().check(limits);
+  if (result == CheckResult::Valid) return {};
+  return result == CheckResult::Invalid
+             ? fmt::format("the check of what the encoding relies on fails for {}: a defect of rungproof",
+                           side->told().reason())
+             : fmt::format("what the encoding relies on was not checked in time: {}", side->told().reason());
 }
 
 /// Of the engine for one goal, when solvers have found a run that it does not repeat.
@@ -255,8 +275,12 @@ std::string QuestionSearch::certificate(std::size_t question, const QuestionAnsw
     if (side->isDecidedByForm(question)) return {};
     const std::optional<WordCertificate> certificate =
         side->translated(question, hasReals, *answer.certificate, AsWritten::Purpose::Text);
-    if (certificate)
-      return cone + certificateText(side->system(question, hasReals), side->question(question, hasReals), *certificate);
+    if (certificate) {
+      const std::string own =
+          certificateText(side->system(question, hasReals), side->question(question, hasReals), *certificate);
+      const std::string told = side->told().text();
+      return cone + (told.empty() ? own : told + "(reset)\n" + own);
+    }
   }
   const std::string remark = cone + "; about the program after simplification, which is not checked here\n";
   if (isWritten) {

@@ -79,6 +79,10 @@ class QuestionSearch {
   /// empty if the form of the program decides the question, so that there is nothing to be solved.
   std::string certificate(std::size_t question, const QuestionAnswer& answer);
 
+  /// What of the decisions that led the encoding does not hold or was not shown, in which case nothing that was proved
+  /// counts; empty if all do, or if there is no such encoding.
+  std::string wrongDecisions();
+
   /// Whether the question at hand may take more time.
   bool mayGoOn() const { return left() > 0 && !watch_.isStopped(); }
   /// Seconds that are left for the question at hand.

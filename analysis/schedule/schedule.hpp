@@ -27,6 +27,7 @@
   ROW(std::size_t, writtenReals, 200, "operations", "of a goal that are written out as bits; more do not come to an end") \
   ROW(std::size_t, writtenForChecks, 12, "operations", "of a rule's question: there is one at each REAL operation") \
   ROW(double, asWrittenSeconds, 1, "s", "for a proof on the surface of the program as it is written") \
+  ROW(double, toldSeconds, 10, "s", "for each of the facts that the program as it is written was told, once for all questions") \
   /* Runs of the reference engine */ \
   ROW(int, earlyPatience, 50, "ms", "most programs are encoded by then; longer ones are run meanwhile") \
   ROW(double, engineSeconds, 2, "s", "for runs of the engine, which count their scans, on a busy machine") \

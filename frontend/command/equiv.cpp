@@ -88,19 +88,22 @@ bool writeCertificates(const Context& context, const std::string& directory, con
   bool isWritten = true;
   for (const auto& [name, text] : found.certificates) {
     const bool isMemory = name == found.certificates.front().first;
-    const bool isRequest = name.starts_with("request");
+    const bool isRequest = name.starts_with("request"), isDecisions = name.starts_with("decisions_");
     const std::string file = name + ".smt2";
     CertifiedStatement statement{"comparison",
-                                 isMemory    ? "memory of both programs that corresponds"
-                                 : isRequest ? "both programs ask the same of a device: " + name
-                                             : name + " is equal",
+                                 isMemory      ? "memory of both programs that corresponds"
+                                 : isRequest   ? "both programs ask the same of a device: " + name
+                                 : isDecisions ? "decisions that led the encoding of one program: " + name
+                                               : name + " is equal",
                                  {sides.runBefore.get(), sides.runAfter.get()},
                                  found.assumptions,
                                  {},
                                  context.settings.root()};
     statement.notes.push_back(
         isMemory ? "from equal pairs of memory every scan leads to equal ones; the other files rest on it"
-                 : "rests on memory.smt2");
+        : isDecisions
+            ? "known conditions, targets of pointers, effects of interrupt routines; the other files rest on it"
+            : "rests on memory.smt2");
     isWritten = context.write({"smt2", (std::filesystem::path(directory) / file).string()},
                               certificateHead(statement, file) + text) &&
                 isWritten;

@@ -82,9 +82,14 @@ std::string fileIn(const std::string& directory, const std::string& name) {
 
 /// Writes the witness as CSV (also a stimulus), VCD and SVG; gives the name of the CSV file.
 std::string writeTraces(const Context& context, const std::string& directory, const std::string& stem,
-                        const Program& program, const Choices& choices, const ProofResult& result) {
+                        const Program& program, const Choices& choices, const ProofResult& result,
+                        std::vector<std::string>& notes) {
   Trace trace = traceOf(program, choices, *result.witness, touchedSignals(program));
   addGiven(program, choices, *result.witness, trace);
+  if (trace.rows.size() < result.witness->scanCount)
+    notes.push_back(
+        fmt::format("the trace holds the last {} of {} scans: 'rungproof sim' cannot repeat the run from it",
+                    trace.rows.size(), result.witness->scanCount));
   std::string first;
   for (const char* ending : {".csv", ".vcd", ".svg"}) {
     const std::string name = fileIn(directory, stem + ending);
@@ -147,7 +152,8 @@ PropertyResult rowOf(const Context& context, const Arguments& arguments, Evidenc
     }
     if (hasPage) addEvidence(row, program, choices, result, &trace);
     if (!arguments.show.empty() || hasPage) row.scans = drawnScans(arguments, program, choices, result, hasPage);
-    if (!arguments.traces.empty()) row.trace = writeTraces(context, arguments.traces, stem, program, choices, result);
+    if (!arguments.traces.empty())
+      row.trace = writeTraces(context, arguments.traces, stem, program, choices, result, row.notes);
   }
   row.networks = networkList(result.networks);
   if (!result.certificate.empty()) {

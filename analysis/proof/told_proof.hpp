@@ -1,0 +1,42 @@
+// ToldProof: that what an encoding along a trail was told (analysis/encoding/told_facts.hpp) holds in every scan of the
+// system: an invariant of what was known of cells, the values that never change among them, and one obligation for
+// conditions, for targets of pointers, for effects of interrupt routines. Whatever else is proved of the system rests
+// on it, so its text stands in front of every certificate. Tested by tests/certificate.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/encoding/told_facts.hpp"
+#include "analysis/portfolio/certificate.hpp"
+
+namespace rungproof {
+
+class ToldProof {
+ public:
+  /// `system`: of the encoding that was told these facts. Adds nodes to its graph.
+  ToldProof(const TransitionSystem& system, const ToldFacts& told);
+
+  /// Valid: all of it holds. Checked once, then known; within the limits of the first call.
+  CheckResult check(const CheckLimits& limits);
+  /// What does not hold, or was not shown, after check().
+  const std::string& reason() const { return reason_; }
+  /// Empty if nothing was told.
+  std::string text() const;
+
+ private:
+  struct Part {
+    const char* name;
+    Node fact;
+  };
+  void addParts(CertificateWriter& writer) const;
+
+  TransitionSystem system_;
+  std::vector<Part> parts_;
+  std::vector<Node> invariant_;
+  std::optional<CheckResult> result_;
+  std::string reason_;
+};
+
+}  // namespace rungproof
