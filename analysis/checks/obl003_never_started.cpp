@@ -3,6 +3,8 @@
 // tests/rules/step7_control_rules_test.cpp.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "analysis/rule.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/organization_block.hpp"
@@ -11,16 +13,25 @@ namespace rungproof {
 
 namespace {
 
+/// "no background", "OB35 as its only cyclic interrupt", "OB32 and OB35 as its only cyclic interrupts".
+std::string ownOf(const s7300::OrganizationBlock& row, Cpu cpu) {
+  if (row.of300 == 0) return fmt::format("no {}", row.kind);
+  const bool hasTwo = s7300::startsOn(row.of318, cpu);
+  const auto [low, high] = std::minmax(row.of300, row.of318);
+  return hasTwo ? fmt::format("OB{} and OB{} as its only {}s", low, high, row.kind)
+                : fmt::format("OB{} as its only {}", row.of300, row.kind);
+}
+
 void checkObl003(const Facts& facts, FindingSink& sink) {
   const Cpu cpu = facts.target().cpu;
   for (const Pou& pou : facts.program().pous) {
-    if (pou.type != BlockType::Ob) continue;
-    const s7300::OrganizationBlock* row = s7300::organizationBlock(numberOfBlock(pou.number));
-    if (row == nullptr || startsOn(*row, cpu)) continue;
-    Finding& finding = sink.report(pou.span, fmt::format("nothing starts {}: a CPU {} has no {} ({})", pou.name,
-                                                         cpuName(cpu), row->kind, row->manual));
+    const int number = numberOfBlock(pou.number);
+    if (pou.type != BlockType::Ob || s7300::startsOn(number, cpu)) continue;
+    const s7300::OrganizationBlock& row = *s7300::organizationBlock(number);
+    Finding& finding = sink.report(pou.span, fmt::format("nothing starts {}: a CPU {} has {} ({})", pou.name,
+                                                         cpuName(cpu), ownOf(row, cpu), startersManual(row, number)));
     finding.help = fmt::format("{} exists on {}: name the CPU by --cpu, or remove the block", pou.name,
-                               startedByText(row->startedBy));
+                               startedByText(startersOf(row, number)));
   }
 }
 
@@ -31,9 +42,15 @@ extern constexpr Rule obl003_never_started = {
     .title = "Organization block that the CPU never starts",
     .severity = Severity::Warning,
     .needs = Needs::Text,
-    .detects = "OB60, OB90 or OB101 on an S7-300, OB102 on an S7-300 other than the 318-2",
-    .why = "what the block prepares is never prepared: an S7-300 begins with OB100 whatever OB101 holds",
-    .manual = "002:810-813, 002:1355, 002:1391",
+    .detects =
+        "OB60, OB90 or OB101 on an S7-300, OB102 on an S7-300 other than the 318-2; of the interrupts of an S7-300 "
+        "others "
+        "than OB10, OB20, OB35 and OB40 (of the 318-2 also OB11, OB21, OB32, OB41)",
+    .why =
+        "what the block does is never done: an S7-300 begins with OB100 whatever OB101 holds, and has one block of "
+        "each "
+        "kind of interrupt",
+    .manual = "002:787, 002:810-813, 002:1096, 002:1202, 002:1222, 002:1355, 002:1391",
     .bad =
         "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nNOP 0;\nEND_ORGANIZATION_BLOCK\nORGANIZATION_BLOCK OB "
         "101\nBEGIN\nNETWORK\nCLR;\n= Q 0.0;\nEND_ORGANIZATION_BLOCK\n",

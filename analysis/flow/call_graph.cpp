@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <map>
 
+#include "ir/s7300/organization_block.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -139,7 +141,7 @@ CallGraph::CallGraph(const Program& program, const Plan& plan) {
     mark(a.routine, fromInterrupt_);
   }
   for (std::uint32_t b = 0; b < blocks; ++b) {
-    const bool isOb = program.pous[b].type == BlockType::Ob;
+    const bool isOb = program.pous[b].type == BlockType::Ob && s7300::mayStart(program, program.pous[b]);
     if (program.pous[b].kind == PouKind::Main || isOb) mark(b, fromMain_);
     if (callsByNumber && (program.pous[b].type == BlockType::Fc || program.pous[b].type == BlockType::Fb))
       mark(b, fromMain_);

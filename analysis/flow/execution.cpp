@@ -7,6 +7,7 @@
 #include "analysis/flow/statement_paths.hpp"
 #include "ir/check.hpp"
 #include "ir/s7300/block.hpp"
+#include "ir/s7300/organization_block.hpp"
 
 namespace rungproof {
 
@@ -193,7 +194,7 @@ void ExecutionTable::count(const Program& program, const CallGraph& calls, const
   };
   for (std::uint32_t b = 0; b < blocks; ++b) {
     if (program.pous[b].kind == PouKind::Main) certain[b] = possible[b] = 1;
-    if (program.pous[b].type == BlockType::Ob) possible[b] = 1;
+    if (program.pous[b].type == BlockType::Ob && s7300::mayStart(program, program.pous[b])) possible[b] = 1;
     if (isStartUpBlock(program.pous[b])) conditions_[b] = condition::FirstScan;
     if (isLive(b) && missing[b] == 0) close(b);
   }

@@ -11,6 +11,7 @@
 #include "analysis/graph/evaluate.hpp"
 #include "engine/device_end.hpp"
 #include "ir/s7300/block.hpp"
+#include "ir/s7300/organization_block.hpp"
 
 namespace rungproof {
 
@@ -155,6 +156,7 @@ std::vector<std::string> environmentTexts(const Program& program, const Property
   if (hasHotStart && choices.is(Choice::HotRestart, "excluded")) texts.emplace_back("no hot restart comes");
   if (isStep7(program.target)) {
     if (std::optional<std::string> text = missingBlocksText(program)) texts.push_back(*std::move(text));
+    std::ranges::move(s7300::startTexts(program), std::back_inserter(texts));
   }
   const auto named = [&](const Operand& operand) {
     return isOfVariables && !std::string_view(operand.text).empty() ? std::string(operand.text) : toString(operand);

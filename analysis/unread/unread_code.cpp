@@ -212,7 +212,7 @@ class UnreadCode::Collector {
     for (const Pou& pou : program_.pous) {
       if (pou.type != BlockType::Ob) continue;
       const s7300::OrganizationBlock* row = s7300::organizationBlock(numberOfBlock(pou.number));
-      if (row != nullptr && (row->isModelled || !startsOn(*row, program_.target.cpu))) continue;
+      if (row != nullptr && (row->isModelled || !s7300::mayStart(program_, pou))) continue;
       if (pou.number == blockNumber(BlockType::Ob, 101) && choices_.is(Choice::HotRestart, "excluded")) continue;
       const std::string_view reason =
           row != nullptr ? gapReasonOf(*row) : s7300::gapReason(s7300::Gap::OrganizationBlock);
@@ -244,7 +244,8 @@ class UnreadCode::Collector {
     const int number = static_cast<int>(block.value);
     const Pou* callee = program_.subroutine(number);
     if (number == blockNumber(BlockType::Sfc, 32) && !startsKnownBlock(instruction))
-      return std::string(s7300::gapReason(s7300::Gap::MissingBlock));
+      return fmt::format("the block that it starts is in no file, or a CPU {} has no such block",
+                         cpuName(program_.target.cpu));
     if (callee == nullptr) return std::string(s7300::gapReason(s7300::Gap::MissingBlock));
     if (callee->protectedBlock) return std::string(s7300::gapReason(s7300::Gap::ProtectedBlock));
     return {};
@@ -278,9 +279,12 @@ class UnreadCode::Collector {
   }
 
   /// Whether the organization block that SFC 32 starts is there, whichever it is: the end of a delay without one is an
-  /// error of its own.
+  /// error of its own, and what a CPU does that has no such block is not stated.
   bool startsKnownBlock(const Instruction& call) const {
-    const auto isThere = [&](int block) { return program_.interrupt(blockNumber(BlockType::Ob, block)) != nullptr; };
+    const auto isThere = [&](int block) {
+      return s7300::startsOn(block, program_.target.cpu) &&
+             program_.interrupt(blockNumber(BlockType::Ob, block)) != nullptr;
+    };
     if (call.operands.size() > 1 && call.operands[1].kind == OperandKind::Constant) {
       const auto block = static_cast<int>(call.operands[1].value);
       return !isDelayEvent(eventOfBlock(block)) || isThere(block);

@@ -94,6 +94,15 @@ std::string withoutIt(int number) {
   return "";
 }
 
+/// "every CPU (of its kind the only one of an S7-300, 002:1096)"
+std::string startersText(int number, const s7300::OrganizationBlock& row) {
+  const s7300::StartedBy starters = s7300::startersOf(row, number);
+  std::string text(s7300::startedByText(starters));
+  if (row.of300 == 0) return text;
+  if (starters == s7300::StartedBy::Every) return text + fmt::format("; an S7-300 has no other ({})", row.manual300);
+  return text + fmt::format("; an S7-300 has OB{} only ({})", row.of300, row.manual300);
+}
+
 Step7Page pageOfOb(int number, const s7300::OrganizationBlock& row, const Paint& paint) {
   const std::string name = fmt::format("OB{}", number);
   const std::string_view covered = row.isModelled ? "modelled" : "NOT COVERED";
@@ -102,7 +111,7 @@ Step7Page pageOfOb(int number, const s7300::OrganizationBlock& row, const Paint&
   std::vector<TextRow> rows = {
       {"Started by", std::string(row.event)},
       {"Kind", numbersOf(row)},
-      {"Exists on", std::string(startedByText(row.startedBy))},
+      {"Exists on", startersText(number, row)},
       {"Model", row.isModelled ? std::string(covered) : fmt::format("{}: {}", covered, gapReasonOf(row))}};
   if (const std::string text = withoutIt(number); !text.empty()) rows.push_back({"Without it", text});
   rows.push_back({"Manual", manualPlace(row.manual)});

@@ -49,20 +49,36 @@ ReadOptions readOptionsOf(const Settings& settings) {
 
 namespace {
 
-/// Where nothing says which of both families is meant, organization blocks that only an S7-400 starts do.
-void guessFamily(const Context& context, const Settings& settings, Program& program) {
-  if (settings.text(Opt::Dialect) != "auto" || step7Row(program.target.cpu).is400) return;
-  for (const Pou& pou : program.pous) {
-    if (pou.type != BlockType::Ob) continue;
-    const s7300::OrganizationBlock* row = s7300::organizationBlock(numberOfBlock(pou.number));
-    if (row == nullptr || row->startedBy != s7300::StartedBy::S7400) continue;
-    program.target.cpu = step7Cpu("417");
-    if (!settings.flag(Opt::Quiet))
-      context.err << fmt::format("rungproof: {} exists on the S7-400 only: taken for a CPU 417; --cpu names another\n",
-                                 blockName(pou.number));
+/// Where nothing says which of both families is meant, organization blocks that the largest S7-300 does not start do:
+/// the first of them. OB102 is part of many sources and runs where a cold restart is asked for only.
+const Pou* blockOfS7400(const Settings& settings, const Program& program) {
+  if (settings.isSet(Opt::Cpu) || settings.text(Opt::Dialect) != "auto" || !isStep7(program.target)) return nullptr;
+  const auto isMet = [&](const Pou& pou) {
+    const int number = numberOfBlock(pou.number);
+    return pou.type == BlockType::Ob && number != 102 && !s7300::startsOn(number, program.target.cpu);
+  };
+  const auto found = std::ranges::find_if(program.pous, isMet);
+  return found == program.pous.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+void guessFamily(const Context& context, std::initializer_list<std::pair<const Settings*, Program*>> programs) {
+  for (const auto& [settings, program] : programs) {
+    const Pou* block = blockOfS7400(*settings, *program);
+    if (block == nullptr) continue;
+    if (!settings->flag(Opt::Quiet))
+      context.err << fmt::format("rungproof: no S7-300 starts {}: taken for a CPU 417; --cpu names another\n",
+                                 blockName(block->number));
+    for (const auto& [itsSettings, each] : programs) {
+      const bool isOpen = !itsSettings->isSet(Opt::Cpu) && itsSettings->text(Opt::Dialect) == "auto";
+      if (isOpen && isStep7(each->target)) each->target.cpu = step7Cpu("417");
+    }
     return;
   }
 }
+
+namespace {
 
 /// Without --cpu, a program with instructions that only the S7-200 SMART has is taken for its largest CPU. A CPU of
 /// another family than the program's is none for it.
@@ -75,7 +91,7 @@ void guessCpu(const Context& context, const Settings& settings, Program& program
                                  cpuName(named), dialectOf(program.target).title, cpuName(program.target.cpu));
     return;
   }
-  if (isStep7(program.target)) return guessFamily(context, settings, program);
+  if (isStep7(program.target)) return guessFamily(context, {{&settings, &program}});
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) {
@@ -130,7 +146,7 @@ namespace {
 /// Whether a CPU is named that has no cold restart; the largest CPUs, which stand for any, are not named.
 bool lacksColdStart(const Settings& settings) {
   const Cpu cpu = settings.target().cpu;
-  return settings.isSet(Opt::Cpu) && isStep7(cpu) && !startsOn(*s7300::organizationBlock(102), cpu);
+  return settings.isSet(Opt::Cpu) && isStep7(cpu) && !s7300::startsOn(102, cpu);
 }
 
 }  // namespace

@@ -2,11 +2,13 @@
 // programs goes through here, so that options, standard input and reading errors behave alike everywhere.
 #pragma once
 
+#include <initializer_list>
 #include <memory>
 #include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "analysis/property.hpp"
@@ -40,6 +42,10 @@ ProgramInput readInput(const Context& context, const Settings& settings, const s
 /// monitoring, clock memory. Gives why there is no clock memory where the CPU lacks its byte, which no program can
 /// read.
 std::optional<std::string> applyProjectSettings(const Settings& settings, Program& program);
+
+/// S7-300/400 programs that are compared or stand alone, where no CPU and no family is named: all for a CPU 417, if one
+/// of them has an organization block that no S7-300 starts.
+void guessFamily(const Context& context, std::initializer_list<std::pair<const Settings*, Program*>> programs);
 
 /// Leaves the properties that --only names, which may be patterns; assumptions stay. The names that are met.
 std::set<std::string> keepOnly(const std::vector<std::string>& only, PropertySet& set);

@@ -235,6 +235,8 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
   if (isIec(sides.before.program.target) || isIec(sides.after.program.target))
     failures.push_back({"programs of IEC 61131-3 are not compared: their variables have no addresses", arguments.after,
                         "prove the same properties of both"});
+  guessFamily(context, {{&context.side(ProgramSide::Old), &sides.before.program},
+                        {&context.side(ProgramSide::New), &sides.after.program}});
   for (const std::string& name : arguments.properties) {
     const std::optional<std::string> text = readFile(context, name, failures);
     if (!text) continue;

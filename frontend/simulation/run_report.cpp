@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ir/s7200/call_contract.hpp"
+#include "ir/s7300/organization_block.hpp"
 
 namespace rungproof {
 
@@ -111,6 +112,7 @@ void describeRun(Report& report, const Simulator& simulator, const ScanTime& sca
                                 ? fmt::format("{:g} ms", ms(scanTime.low))
                                 : fmt::format("{:g} ms to {:g} ms", ms(scanTime.low), ms(scanTime.high));
   report.assumptions.push_back(fmt::format("CPU {}", cpuName(program.target.cpu)));
+  if (plan.isStep7()) std::ranges::move(s7300::startTexts(program), std::back_inserter(report.assumptions));
   report.assumptions.push_back(fmt::format("scan time {} where the stimulus says nothing", range));
   report.assumptions.push_back(fmt::format("{} scans, {} ms", simulator.scanCount(),
                                            plainNumber(static_cast<double>(simulator.timeUs()) / 1000)));

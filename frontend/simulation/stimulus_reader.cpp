@@ -15,6 +15,7 @@
 #include "frontend/simulation/given_columns.hpp"
 #include "frontend/simulation/run_limits.hpp"
 #include "frontend/simulation/stimulus_column.hpp"
+#include "ir/s7300/organization_block.hpp"
 
 namespace rungproof {
 
@@ -140,7 +141,8 @@ class TableReader {
   static std::optional<int> eventNamed(std::optional<double> number, const Target& target) {
     if (!number || *number != std::floor(*number) || *number < 0 || *number > 255) return std::nullopt;
     const int named = static_cast<int>(*number), event = isStep7(target) ? eventOfBlock(named) : named;
-    const bool exists = isStep7(target) ? event >= 0 : event < eventCount && eventExists(target, event);
+    const bool exists = isStep7(target) ? event >= 0 && s7300::startsOn(named, target.cpu)
+                                        : event < eventCount && eventExists(target, event);
     return exists ? std::optional(event) : std::nullopt;
   }
 

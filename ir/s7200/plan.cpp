@@ -10,6 +10,7 @@
 #include "ir/s7200/event.hpp"
 #include "ir/s7200/frame.hpp"
 #include "ir/s7300/block.hpp"
+#include "ir/s7300/organization_block.hpp"
 
 namespace rungproof {
 
@@ -123,7 +124,9 @@ std::uint32_t localsFrom(const Plan& plan, const Flow& flow, int levels,
 
 void Plan::planStep7() {
   const Step7CpuRow& cpu = step7Row(program->target.cpu);
-  for (std::size_t i = 0; i < flows.size(); ++i) codeBlocks_.emplace(flows[i].pou->number, i);
+  for (std::size_t i = 0; i < flows.size(); ++i) {
+    if (s7300::mayStart(*program, *flows[i].pou)) codeBlocks_.emplace(flows[i].pou->number, i);
+  }
   const auto isUsed = [&](Area area, std::uint32_t number) {
     if (area == Area::C) counterCount = std::max(counterCount, std::min(number + 1, cpu.timers));
     if (area != Area::T || number >= cpu.timers) return;
@@ -154,7 +157,8 @@ void Plan::planStep7() {
   std::map<std::pair<int, int>, std::uint32_t> known;
   localBytes = 0;
   for (const Flow& flow : flows) {
-    if (flow.pou->type == BlockType::Ob) localBytes += localsFrom(*this, flow, cpu.nesting, known);
+    if (block(flow.pou->number) != nullptr && flow.pou->type == BlockType::Ob)
+      localBytes += localsFrom(*this, flow, cpu.nesting, known);
   }
   localBytes = std::max(localBytes, leastLocalBytes);
 }

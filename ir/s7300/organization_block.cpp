@@ -1,10 +1,13 @@
 // One row for each kind.
 #include "ir/s7300/organization_block.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
 #include "ir/block_event.hpp"
+#include "ir/s7300/block.hpp"
 #include "ir/s7300/coverage.hpp"
 
 namespace rungproof::s7300 {
@@ -13,10 +16,30 @@ namespace {
 
 constexpr auto organizationRows = std::to_array<OrganizationBlock>({
     {1, 1, "main program", "the free cycle, over and over", "002:799", true},
-    {10, 17, "time-of-day interrupt", "a date and time, once or periodically; SFC 28 to 31", "002:1154", true},
-    {20, 23, "time-delay interrupt", "the end of a delay of 1 to 60000 ms that SFC 32 has started", "002:1190", true},
-    {30, 38, "cyclic interrupt", "its period", "002:1102", true},
-    {40, 47, "hardware interrupt", "a signal of a module", "002:1220", true},
+    {10,
+     17,
+     "time-of-day interrupt",
+     "a date and time, once or periodically; SFC 28 to 31",
+     "002:1154",
+     true,
+     StartedBy::S7400,
+     {},
+     10,
+     11,
+     "002:787, 002:1154"},
+    {20,
+     23,
+     "time-delay interrupt",
+     "the end of a delay of 1 to 60000 ms that SFC 32 has started",
+     "002:1190",
+     true,
+     StartedBy::S7400,
+     {},
+     20,
+     21,
+     "002:1202"},
+    {30, 38, "cyclic interrupt", "its period", "002:1102", true, StartedBy::S7400, {}, 35, 32, "002:1096"},
+    {40, 47, "hardware interrupt", "a signal of a module", "002:1220", true, StartedBy::S7400, {}, 40, 41, "002:1222"},
     {60, 60, "multicomputing interrupt", "SFC 35 in one of the CPUs", "002:812", false, StartedBy::S7400},
     {80, 80, "time error", "the cycle monitoring, or a clock set past a time-of-day interrupt", "002:1296", true},
     {81, 81, "power supply error", "a fault of a power supply or battery", "002:1299", true},
@@ -58,9 +81,41 @@ const OrganizationBlock* organizationBlock(int number) {
   return row == organizationRows.end() ? nullptr : &*row;
 }
 
-bool startsOn(const OrganizationBlock& block, Cpu cpu) {
-  if (block.startedBy == StartedBy::Every || step7Row(cpu).is400) return true;
-  return block.startedBy == StartedBy::S7400And318 && cpu == step7Cpu("318-2");
+StartedBy startersOf(const OrganizationBlock& row, int number) {
+  if (row.of300 == 0) return row.startedBy;
+  return number == row.of300 ? StartedBy::Every : number == row.of318 ? StartedBy::S7400And318 : StartedBy::S7400;
+}
+
+bool startsOn(int number, Cpu cpu) {
+  const OrganizationBlock* row = organizationBlock(number);
+  if (row == nullptr || step7Row(cpu).is400) return true;
+  const StartedBy starters = startersOf(*row, number);
+  return starters == StartedBy::Every || (starters == StartedBy::S7400And318 && cpu == step7Cpu("318-2"));
+}
+
+bool mayStart(const Program& program, const Pou& pou) {
+  const int number = numberOfBlock(pou.number);
+  if (pou.type != BlockType::Ob || (number == 102 && program.coldStart)) return true;
+  return startsOn(number, program.target.cpu);
+}
+
+std::vector<std::string> startTexts(const Program& program) {
+  std::vector<std::string> texts;
+  for (const Pou& pou : program.pous) {
+    const int number = numberOfBlock(pou.number);
+    const OrganizationBlock* row = pou.type == BlockType::Ob ? organizationBlock(number) : nullptr;
+    if (row == nullptr || number == 102 || startersOf(*row, number) == StartedBy::Every) continue;  // 102: --start
+    const std::string_view cpu = cpuName(program.target.cpu), manual = startersManual(*row, number);
+    if (!mayStart(program, pou))
+      texts.push_back(fmt::format("OB{} never runs: a CPU {} does not start it ({})", number, cpu, manual));
+    else if (row->isModelled)
+      texts.push_back(fmt::format("OB{} runs: a CPU {} starts it, others do not ({})", number, cpu, manual));
+  }
+  return texts;
+}
+
+std::string_view startersManual(const OrganizationBlock& row, int number) {
+  return startersOf(row, number) == StartedBy::Every || row.manual300.empty() ? row.manual : row.manual300;
 }
 
 std::string_view startedByText(StartedBy cpus) {

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
+#include "ir/program.hpp"
 #include "ir/s7300/cpu.hpp"
 
 namespace rungproof::s7300 {
@@ -21,15 +24,27 @@ struct OrganizationBlock {
   bool isModelled;  ///< engine and prover start it
   StartedBy startedBy = StartedBy::Every;
   std::string_view gap{};  ///< why it is not modelled, where more can be said than that
+  int of300 = 0;           ///< the only one of several that an S7-300 starts; 0: startedBy says it of all
+  int of318 = 0;           ///< the second one that the 318-2 starts (general knowledge)
+  std::string_view manual300{};
 };
 
 std::span<const OrganizationBlock> organizationBlocks();
 /// nullptr: there is no OB of that number.
 const OrganizationBlock* organizationBlock(int number);
-/// Whether that CPU ever starts the block.
-bool startsOn(const OrganizationBlock& block, Cpu cpu);
+/// The CPUs that may start the block of that number, which is one of the row.
+StartedBy startersOf(const OrganizationBlock& row, int number);
+/// Whether that CPU may start the organization block of that number. Of a number without a row nothing is known: true.
+bool startsOn(int number, Cpu cpu);
+/// Whether the CPU of the program may run the block: false for organization blocks that it never starts. A program that
+/// begins with a cold restart is for a CPU that has one.
+bool mayStart(const Program& program, const Pou& pou);
+/// What is taken for granted of organization blocks that some CPUs start and others do not.
+std::vector<std::string> startTexts(const Program& program);
 /// "every CPU", "S7-400", "S7-400 and CPU 318-2".
 std::string_view startedByText(StartedBy cpus);
+/// Where the manual says that.
+std::string_view startersManual(const OrganizationBlock& row, int number);
 /// Why nothing is proved beside the block.
 std::string_view gapReasonOf(const OrganizationBlock& block);
 

@@ -68,7 +68,10 @@ TEST(Step7Control, OrganizationBlocksThatNothingStarts) {
   expectFindings("OBL003", {{"hot restart", 1, ob1("NOP 0;") + ob(101)},
                             {"cold restart", 1, ob1("NOP 0;") + ob(102)},
                             {"background", 1, ob1("NOP 0;") + ob(90)},
-                            {"warm restart and interrupts", 0, ob1("NOP 0;") + ob(100) + ob(35) + ob(40) + ob(82)}});
+                            {"another cyclic interrupt", 1, ob1("NOP 0;") + ob(32)},
+                            {"other interrupts", 4, ob1("NOP 0;") + ob(11) + ob(21) + ob(34) + ob(41)},
+                            {"warm restart and interrupts", 0,
+                             ob1("NOP 0;") + ob(100) + ob(10) + ob(20) + ob(35) + ob(40) + ob(82)}});
 }
 
 TEST(Step7Control, CodeThatNoPathReaches) {

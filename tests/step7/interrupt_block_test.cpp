@@ -42,7 +42,7 @@ TEST(InterruptBlocks, CyclicOnesKeepTheirPeriod) {
 TEST(InterruptBlocks, ThatAreDueTogetherAllCome) {
   const std::string blocks = block(1, "CLR;= M 0.0;= M 0.1") + block(34, "SET;= M 0.1") + block(35, "SET;= M 0.0");
   const Output output = proofOf("reach both: first_scan and M0.0 and M0.1\n", blocks,
-                                {"--scan-time", "30ms", "--ob34", "20ms", "--ob35", "30ms"});
+                                {"--cpu", "417", "--scan-time", "30ms", "--ob34", "20ms", "--ob35", "30ms"});
   EXPECT_TRUE(output.has("REACHABLE  both") && !output.has("UNREACHABLE")) << output.text;
 }
 
@@ -61,7 +61,7 @@ TEST(InterruptBlocks, MoreThanAreFollowedCountInEveryBlock) {
 // 1 s at 10 ms a scan: OB35 comes every 100 ms, the last time at the very end; OB34 every 200 ms; as set.
 TEST(InterruptBlocks, RunWithTheirPeriod) {
   const std::string blocks = block(1, "NOP 0") + block(35, countUp) + block(34, "L MW 14;L 1;+I;T MW 14");
-  const std::vector<std::string> second = {"--duration", "1005ms", "--scan-time", "10ms"};
+  const std::vector<std::string> second = {"--cpu", "417", "--duration", "1005ms", "--scan-time", "10ms"};
   EXPECT_TRUE(lastRow(blocks, "MW12,MW14", second).ends_with(",10,5")) << lastRow(blocks, "MW12,MW14", second);
   std::vector<std::string> set = second;
   set.insert(set.end(), {"--ob35", "250ms"});

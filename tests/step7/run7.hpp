@@ -32,7 +32,8 @@ inline Output run(std::vector<std::string> arguments) {
   std::istringstream in;
   std::ostringstream out, err;
   arguments.emplace_back("--isolated");
-  if (std::ranges::find(arguments, "--dialect") == arguments.end())
+  if (std::ranges::find(arguments, "--dialect") == arguments.end() &&
+      std::ranges::find(arguments, "--cpu") == arguments.end())
     arguments.insert(arguments.end(), {"--dialect", "s7-300"});
   const int exit = runProgram(arguments, {in, out, err});
   return {exit, out.str() + err.str()};
