@@ -56,6 +56,8 @@ class PlcopenText {
     if (name == "dataType") readType(node);
     if (name == "globalVars" && localName(node.parent()) != "interface")
       readVariables(node, Section::Global, project_.globals);
+    if (name == "configVars" || name == "accessVars")
+      sink_.report(Syntax::IecNotModelled, xml_.span(*part_, node), fmt::format("<{}> is not modelled", name));
     if (name == "task") readTask(node);
     if (name == "pouInstance") readInstance(node);
   }
@@ -98,8 +100,6 @@ class PlcopenText {
                                           : BlockKind::Program;
     if (made.name.empty()) error(node, "a block has no name");
     sink_.setPlace(made.name, 0);
-    const auto findings = [&] { return sink_.program().findings.size(); };
-    const std::size_t before = findings();
     int bodies = 0;
     for (const pugi::xml_node& child : node.children()) {
       const std::string_view name = localName(child);
@@ -107,7 +107,6 @@ class PlcopenText {
       if (name == "body" && ++bodies == 1) readBody(child, made);
     }
     if (bodies != 1) made.unread = bodies == 0 ? "no language" : "several bodies";
-    made.isWhole = findings() == before || !made.unread.empty() || made.isWhole;
     sink_.setPlace("", 0);
     project_.blocks.push_back(std::move(made));
   }

@@ -26,6 +26,7 @@ void read(Program& program, const InputText& input, const ReadOptions& options) 
                       (options.dialect == "auto" && iec::hasStructuredText(program.sources->file(input.file).text()));
   if (isText) return iec::readPlcopenText(program, input, *input.iec);
   readPlcopen(program, input, *input.drawn);
+  if (options.dialect == "auto") iec::readPlcopenText(*input.programAsIec, input, *input.drawnAsIec);
 }
 
 }  // namespace

@@ -68,6 +68,7 @@ enum class Syntax : std::uint8_t {
   IecName,
   IecNotModelled,
   IecNoProgram,
+  ReadAsIec,
   count
 };
 
@@ -189,6 +190,8 @@ inline constexpr std::array<SyntaxMessage, static_cast<std::size_t>(Syntax::coun
      "properties that depend on it get the verdict NOT COVERED"},
     {Syntax::IecNoProgram, "SYN060", "No program to run", Severity::Warning,
      "add the PROGRAM, or give one function block alone"},
+    {Syntax::ReadAsIec, "SYN061", "Read as a program of IEC 61131-3", Severity::Note,
+     "--dialect iec says so beforehand; --dialect s7-200 reads it as an S7-200 program and names what does not fit"},
 }};
 
 constexpr const SyntaxMessage& syntaxMessage(Syntax code) { return syntaxMessages[static_cast<std::size_t>(code)]; }
