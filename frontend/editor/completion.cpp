@@ -90,6 +90,16 @@ void offerAddresses(const CheckedDocument& document, const OperandDesc* wanted, 
   }
 }
 
+/// IEC 61131-3: the variables of the program and the words of ST.
+void offerVariables(const CheckedDocument& document, Offers& offers) {
+  for (const Symbol& symbol : document.program().symbols) offers.add(symbol.name, ItemKind::Variable, {});
+  for (const std::string_view word :
+       {"IF",     "THEN", "ELSIF",   "ELSE",  "END_IF",    "CASE",   "OF",    "END_CASE",   "FOR",  "TO",
+        "BY",     "DO",   "END_FOR", "WHILE", "END_WHILE", "REPEAT", "UNTIL", "END_REPEAT", "EXIT", "CONTINUE",
+        "RETURN", "AND",  "OR",      "XOR",   "NOT",       "MOD",    "TRUE",  "FALSE"})
+    offers.add(word, ItemKind::Keyword, "structured text");
+}
+
 void offerRoutines(const CheckedDocument& document, Type type, std::uint32_t offset, Offers& offers) {
   const Program& program = document.program();
   for (const Pou& pou : program.pous) {
@@ -158,6 +168,8 @@ Json completionsAt(const CheckedDocument& document, ClientPlace place) {
     offerProperty(document, offers);
   } else if (comment != std::string_view::npos && tool != std::string_view::npos) {
     offerSuppression(typed.substr(tool + std::string_view("rungproof:").size()), offers);
+  } else if (comment == std::string_view::npos && isIec(document.program().target)) {
+    offerVariables(document, offers);
   } else if (comment == std::string_view::npos) {
     const std::size_t first = typed.find_first_not_of(" \t");
     const std::string_view line = first == std::string_view::npos ? std::string_view() : typed.substr(first);

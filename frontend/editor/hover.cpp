@@ -11,6 +11,7 @@
 #include "frontend/explain/instruction_page.hpp"
 #include "frontend/picture/network_view.hpp"
 #include "frontend/rpc/command_output.hpp"
+#include "frontend/stl/stl_lexer.hpp"
 #include "ir/s7200/special_memory.hpp"
 
 namespace rungproof {
@@ -105,12 +106,15 @@ std::string pageText(const CheckedDocument& document, const std::string& name, c
 std::string addressText(const CheckedDocument& document, const Operand& operand) {
   Operand address = operand;
   address.kind = OperandKind::Direct;
-  const std::string name = addressName(address.area, address.width, address.offset, address.bit);
-  const Symbol* const symbol = document.facts().symbolOf(address);
+  const bool isVariable = isIec(document.program().target);
+  const std::string name =
+      isVariable ? toString(address) : addressName(address.area, address.width, address.offset, address.bit);
+  const Symbol* const symbol = isVariable ? nullptr : document.facts().symbolOf(address);
   std::string text = fmt::format("**{}**", name);
   if (symbol != nullptr) text += fmt::format(" {}", symbol->name);
   if (symbol != nullptr && !symbol->comment.empty()) text += fmt::format(": {}", symbol->comment);
-  text += "\n\n" + pageText(document, name, address);
+  text += "\n\n";
+  if (!isVariable) text += pageText(document, name, address);
   if (hasBitAndWord(address.area)) text += presetText(document, address);
   std::vector<const Access*> writers, readers;
   for (const std::size_t entry : entriesTouching(document.xref(), address)) {
@@ -147,8 +151,28 @@ std::string routineText(const CheckedDocument& document, Type type, const Operan
 
 }  // namespace
 
+namespace {
+
+/// IEC 61131-3: who reads and who writes the variable of that name.
+Json hoverOfVariable(const CheckedDocument& document, std::uint32_t offset) {
+  const std::string_view text = document.source().text();
+  const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.'; };
+  std::uint32_t begin = std::min<std::uint32_t>(offset, static_cast<std::uint32_t>(text.size())), end = begin;
+  while (begin > 0 && isPart(text[begin - 1])) --begin;
+  while (end < text.size() && isPart(text[end])) ++end;
+  const std::string_view word = text.substr(begin, end - begin);
+  const auto symbol = std::ranges::find_if(document.program().symbols,
+                                           [&](const Symbol& one) { return equalsIgnoringCase(one.name, word); });
+  if (word.empty() || symbol == document.program().symbols.end()) return nullptr;
+  return {{"contents", Json{{"kind", "markdown"}, {"value", addressText(document, symbol->address)}}},
+          {"range", document.range({document.file(), begin, end - begin})}};
+}
+
+}  // namespace
+
 Json hoverAt(const CheckedDocument& document, ClientPlace place) {
   if (document.source().text().empty()) return nullptr;
+  if (isIec(document.program().target)) return hoverOfVariable(document, document.offset(place));
   const Cursor cursor = cursorAt(document, document.offset(place));
   std::string text;
   if (cursor.isMnemonic) {
