@@ -430,9 +430,8 @@ class Parser {
       throw Mistake{typeRule, t.span, fmt::format("'{}' has no value beside itself", text),
                     ".value is for timers and counters"};
     if ((hasBit && !asValue) || (!areaInfo(o.area).width && o.width == Width::Bit)) return add(e, std::move(node));
-    const bool isReal = o.form == ConstantForm::Real;
-    node.type = isReal ? ExprType::Real : ExprType::Number;
-    node.width = isReal ? std::uint8_t{32} : signedWidth(o);
+    node.type = o.form == ConstantForm::Real ? ExprType::Real : ExprType::Number;
+    node.width = signedWidth(o);
     return add(e, std::move(node));
   }
   /// The value of a timer or counter instead of its bit; of an S5 timer the ms that are left.

@@ -113,8 +113,9 @@ ProofRunText prove(const std::string& text) {
   std::istringstream in;
   std::ostringstream out, err;
   ProofRunText run;
-  run.exit = static_cast<int>(
-      runProgram({"prove", folder.file("program.xml", text), "--isolated", "--format", "concise"}, {in, out, err}));
+  run.exit = static_cast<int>(runProgram(
+      {"prove", folder.file("program.xml", text), "--isolated", "--format", "concise", "--dialect", "s7-200"},
+      {in, out, err}));
   run.out = out.str() + err.str();
   return run;
 }

@@ -61,7 +61,7 @@ TEST(SyntaxMessages, EveryMessageOccurs) {
   std::string deep;
   for (int i = 0; i < 300; ++i) deep += "<a>";
   collect(readText("x", project + deep));
-  collect(readText("x", project + "<body><ST/></body></pou></project>"));
+  collect(readText("x", project + "<body><SFC/></body></pou></project>"));
   collect(readText(
       "x", project +
                "<interface><localVars><variable name=\"T\"><type><derived name=\"TON\"/></type></variable><variable "
@@ -79,6 +79,10 @@ TEST(SyntaxMessages, EveryMessageOccurs) {
                "FOO;\nL M 0.0;\nA \"name\";\nCALL FC 1;\nCALL FC 2;\nJC m;\nCALL SFC 43;\nCALL SFC 27 (PART := "
                "B#16#0);\nEND_FUNCTION\n"
                "DATA_BLOCK DB 9000\nSTRUCT\n a : INT ;\nEND_STRUCT ;\nBEGIN\n a 1 ;\nEND_DATA_BLOCK\n"));
+  collect(readText(
+      "x.st",
+      "PROGRAM m VAR a : INT; r : REAL; s, t : STRING; END_VAR\na = 1;\na := r;\nb := 1;\ns := t;\nEND_PROGRAM\n"));
+  collect(readText("x.st", "TYPE t : INT; END_TYPE\nFUNCTION f : INT\nf := 1;\nEND_FUNCTION\n"));
   Program symbols;
   SyntaxSink sink(symbols, symbols.sources->add("x.asc", "126,Stop                   I       0.1 BOOL      \n"));
   step7::readSymbolList(symbols.sources->file(sink.file()).text(), step7::MnemonicSet::International, sink);
