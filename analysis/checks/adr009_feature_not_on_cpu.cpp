@@ -40,9 +40,9 @@ class Checker {
   }
 
  private:
-  /// GET, PUT and the like; GERR only reads what is stored.
+  /// GET, PUT and their kin reach a partner; what is modelled in full only reads or sets what the CPU stores.
   static bool needsEthernet(const Desc& desc) {
-    return desc.group == "communication" && (desc.cpus & s7200Cpus) == 0 && desc.stl != "GERR";
+    return desc.group == "communication" && (desc.cpus & s7200Cpus) == 0 && desc.modelling != Modelling::Whole;
   }
   /// A name that ends in s: serial ports only. Of the old compact CPUs the sources say both.
   void ethernet(const Instruction& instruction) {

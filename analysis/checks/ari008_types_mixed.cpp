@@ -11,7 +11,7 @@
 #include "analysis/flow/statement_paths.hpp"
 #include "analysis/flow/step7_blocks.hpp"
 #include "analysis/rule.hpp"
-#include "ir/s7300/pointer_parameter.hpp"
+#include "ir/s7300/statement_detail.hpp"
 
 namespace rungproof {
 
@@ -179,10 +179,9 @@ std::string_view numberKindName(NumberKind kind) {
 /// Whether a value of that kind has no business with the statement; the kind that it takes.
 std::optional<NumberKind> kindWantedBy(const Instruction& instruction, NumberKind kind) {
   const StatementRole role = statementRole(instruction);
-  const bool compares = isComparison(role);
-  const bool isReal = role == StatementRole::RealMath || (compares && instruction.desc->stl.ends_with('R'));
+  const bool isReal = role == StatementRole::RealMath || comparesReals(instruction);
   const bool isWhole = role == StatementRole::IntegerMath || role == StatementRole::IntegerStep ||
-                       (compares && !instruction.desc->stl.ends_with('R'));
+                       (isComparison(role) && !comparesReals(instruction));
   if (isReal && kind != NumberKind::Real && kind != NumberKind::Unknown) return NumberKind::Real;
   if (isWhole && kind == NumberKind::Real) return NumberKind::Whole;
   if (role == StatementRole::StartTimer && kind != NumberKind::S5Time &&

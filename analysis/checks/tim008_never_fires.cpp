@@ -11,7 +11,7 @@
 #include "analysis/flow/step7_blocks.hpp"
 #include "analysis/rule.hpp"
 #include "ir/s7200/isa.hpp"
-#include "ir/s7300/statement_role.hpp"
+#include "ir/s7300/statement_detail.hpp"
 
 namespace rungproof {
 
@@ -73,7 +73,7 @@ void checkOnDelays(const Facts& facts, FindingSink& sink) {
     for (std::uint32_t at = 1; at < flow.steps.size(); ++at) {
       const Instruction& start = *flow.steps[at].instruction;
       const Instruction& load = *flow.steps[at - 1].instruction;
-      if (start.desc->stl != "SD" || statementRole(load) != StatementRole::Load ||
+      if (!startsOnDelay(start) || statementRole(load) != StatementRole::Load ||
           load.operands[0].kind != OperandKind::Constant || !runsInEveryScan(facts, start.id) ||
           startsOf(facts, start.operands[0].offset) != 1)
         continue;

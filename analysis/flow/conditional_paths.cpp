@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "ir/s7300/statement_detail.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -30,10 +32,6 @@ bool isParameterOf(const Operand& operand) { return operand.reach != nullptr && 
 bool scansBr(const Instruction& instruction) {
   return !instruction.operands.empty() && instruction.operands[0].kind == OperandKind::Constant &&
          instruction.operands[0].text == "BR";
-}
-bool jumpsOnOne(const Instruction& jump) {
-  const std::string_view name = jump.desc->stl;
-  return name == "JC" || name == "JCB" || name == "JBI";
 }
 
 }  // namespace
@@ -195,7 +193,7 @@ void PathKnowledge::apply(const Facts& facts, const Instruction& instruction) {
     case StatementRole::Latch: {
       const BitKey key = keyOf(facts, instruction);
       if (rlo_ != Known::No) forgetWritten(facts, instruction);
-      if (rlo_ == Known::Yes) setBit(key, instruction.desc->stl == "S" ? Known::Yes : Known::No);
+      if (rlo_ == Known::Yes) setBit(key, setsBit(instruction) ? Known::Yes : Known::No);
       return endString();
     }
     case StatementRole::TransferStatus: br_ = Known::Unknown; return makeUnknown(Known::No);

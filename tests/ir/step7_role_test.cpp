@@ -3,7 +3,7 @@
 
 #include "ir/s7200/isa.hpp"
 #include "ir/s7300/isa.hpp"
-#include "ir/s7300/statement_role.hpp"
+#include "ir/s7300/statement_detail.hpp"
 
 namespace rungproof {
 namespace {
@@ -35,6 +35,22 @@ TEST(StatementRole, EveryJumpCallAndEndHasOne) {
     instruction.desc = &desc;
     EXPECT_TRUE(!moves || statementRole(instruction) != StatementRole::Other) << desc.stl;
   }
+}
+
+TEST(StatementRole, JumpsLatchesTimersAndComparisonsByTheirSpelling) {
+  const auto with = [](std::string_view mnemonic) {
+    Instruction instruction;
+    instruction.desc = s7300Instructions().named(mnemonic);
+    return instruction;
+  };
+  for (const char* name : {"JC", "JCB", "JBI"}) EXPECT_TRUE(jumpsOnOne(with(name))) << name;
+  for (const char* name : {"JCN", "JNB", "JNBI", "JU"}) EXPECT_FALSE(jumpsOnOne(with(name))) << name;
+  EXPECT_TRUE(setsBit(with("S")));
+  for (const char* name : {"R", "=", "S C", "SD"}) EXPECT_FALSE(setsBit(with(name))) << name;
+  EXPECT_TRUE(startsOnDelay(with("SD")));
+  for (const char* name : {"SE", "SP", "SS", "SF"}) EXPECT_FALSE(startsOnDelay(with(name))) << name;
+  for (const char* name : {"==R", "<>R", ">R", "<=R"}) EXPECT_TRUE(comparesReals(with(name))) << name;
+  for (const char* name : {"==I", ">D", "+R"}) EXPECT_FALSE(comparesReals(with(name))) << name;
 }
 
 TEST(StatementRole, NoneOfTheOtherFamily) {

@@ -277,7 +277,7 @@ TEST(OperandRules, GetAndPutNeedEthernet) {
     EXPECT_EQ(of(cpu, "PUT VB0").size(), 1U) << cpu;
   }
   EXPECT_EQ(of("CR40s", "TSEND VB0").size(), 1U);
-  EXPECT_EQ(of("CR40s", "GIP VD0, VD4, VD8").size(), 1U);
+  EXPECT_EQ(of("CR40s", "TRECV VB0").size(), 1U);
   for (const char* cpu : {"SR20", "ST20", "ST40", "SR60", "ST60"}) EXPECT_EQ(of(cpu, "GET VB0").size(), 0U) << cpu;
   EXPECT_EQ(of("CR40s", "XMT VB0, 0").size(), 0U) << "a serial port";
   EXPECT_EQ(of("CR40s", "GERR VW0").size(), 0U);

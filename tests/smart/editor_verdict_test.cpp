@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/rule.hpp"
+#include "analysis/flow/facts.hpp"
+#include "analysis/lint/lint.hpp"
 #include "frontend/input/program_input.hpp"
 
 namespace rungproof {
