@@ -80,7 +80,11 @@ class ConflictFinder {
     gather();
     for (const std::uint64_t key : order_) wordOfProgram(uses_.at(key));
     for (const PanelWord& word : words_) {
-      if (word.isBit() && word.access == TagAccess::Sets) bitOfPanel(word);
+      if (word.access != TagAccess::Sets) continue;
+      if (word.isBit())
+        bitOfPanel(word);
+      else if (!word.isRow && !word.isText)
+        lostWord(word);
     }
     return std::move(conflicts_);
   }
@@ -229,6 +233,40 @@ class ConflictFinder {
       return !access->write && other.block == place.block && other.network == place.network &&
              other.step > place.step && !isChangedInPlace(*other.instruction, *access);
     });
+  }
+
+  /// A word that the program reads, and of which it has written a part in every scan before: by a move of whatever
+  /// width, a block move, a fill. What the panel sets is never seen. Where something reads it first, the write may be
+  /// the answer to it.
+  void lostWord(const PanelWord& word) {
+    const Access* reader = nullptr;
+    std::vector<const Access*> reads, writes;
+    for (std::uint32_t k = 0; k < word.bytes; ++k) {
+      const std::uint32_t cell = cells().cell(word.address.area, word.address.offset + k, 0);
+      if (cell == cells().size()) return;
+      for (const std::uint32_t i : facts_.index().at(cell)) {
+        const Access& access = facts_.access(i);
+        if (access.maybe) return;
+        const bool isInPlace = isChangedInPlace(facts_.instruction(access.instruction), access);
+        const bool isWord = access.offset == word.address.offset && access.width == word.address.width;
+        if (!access.write) reads.push_back(&access);
+        if (!access.write && isWord && !isInPlace) reader = &access;
+        if (access.write && !isInPlace && access.width != Width::Bit && runsAlways(access.instruction) &&
+            !asksItself(access))
+          writes.push_back(&access);
+      }
+    }
+    if (reader == nullptr) return;
+    for (const Access* write : writes) {
+      const InstructionPlace& place = facts_.place(write->instruction);
+      const bool isFirst = std::ranges::all_of(reads, [&](const Access* read) {
+        const InstructionPlace& other = facts_.place(read->instruction);
+        return other.block == place.block && other.step > place.step;
+      });
+      if (!isFirst || !shared_.insert(toString(word.address)).second) continue;
+      conflicts_.shared.push_back({word.address, &word, place.instruction, &facts_.instruction(reader->instruction)});
+      return;
+    }
   }
 
   /// A coil gives the bit its own value in every scan.

@@ -55,6 +55,30 @@ TEST(Adr012, FindsWordsThatReachIntoThePanels) {
   EXPECT_EQ(panelWordsOf("//@ external VB100..VB109\nNetwork 1\nLD SM0.0\nMOVW AIW0, VW109\n"), "VB109");
 }
 
+// What is written in every scan before it is read is never the panel's value, by whatever move.
+TEST(Adr012, FindsWordsThatMovesOverwriteFirst) {
+  const std::string external = "//@ external VW100\nNetwork 1\n", read = "Network 2\nLDW>= AIW0, VW100\n= Q0.0\n";
+  for (const char* move : {"LD SM0.0\nMOVW 5, VW100\n", "LD SM0.0\nMOVD VD2, VD98\n", "LD SM0.0\nMOVD VD2, VD100\n",
+                           "LD SM0.0\nMOVB VB2, VB101\n", "LD SM0.0\nBMW VW2, VW98, 4\n", "LD SM0.0\nFILL 0, VW96, 4\n",
+                           "LD SM0.0\nBMB VB0, VB101, 2\n"})
+    EXPECT_EQ(panelWordsOf(external + move + read), "VW100") << move;
+  for (const char* move : {"LD I0.0\nMOVW 5, VW100\n",                    // on a condition: a default or a recipe
+                           "LD SM0.1\nMOVD VD2, VD98\n",                  // in the first scan
+                           "LD I0.0\nEU\nFILL 0, VW96, 4\n",              // once
+                           "LD SM0.0\nMOVW VW100, VW2\nMOVW 0, VW100\n",  // a command that is taken and acknowledged
+                           "LDW<> VW100, 0\n= Q0.1\nLD SM0.0\nFILL 0, VW96, 4\n", "LD SM0.0\nMOVD VD2, VD96\n",
+                           "LD SM0.0\nFILL 0, VW102, 4\n", "LDW> VW100, 9\nMOVW 9, VW100\n"})
+    EXPECT_EQ(panelWordsOf(external + move + read), "") << move;
+  EXPECT_EQ(panelWordsOf(external + "LDW>= AIW0, VW100\n= Q0.0\nNetwork 2\nLD SM0.0\nFILL 0, VW96, 4\n"), "")
+      << "it is read first";
+  const std::string shown = external + "LD SM0.0\nFILL 0, VW96, 4\n";
+  EXPECT_EQ(panelWordsOf(shown), "") << "nothing reads it";
+  EXPECT_EQ(panelWordsOf("Network 1\nLD SM0.0\nMOVW 5, VW100\n" + read, {panelTag("Dose", "VW100", TagAccess::Sets)}),
+            "VW100");
+  EXPECT_EQ(panelWordsOf("Network 1\nLD SM0.0\nMOVW 5, VW100\n" + read, {panelTag("Level", "VW100", TagAccess::Reads)}),
+            "");
+}
+
 TEST(Adr012, HonestUsesAreSilent) {
   for (const char* text :
        {// The panel's value is used.
