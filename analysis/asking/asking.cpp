@@ -112,10 +112,8 @@ void askNothing(Asking& asking, const Rule& rule) {
 
 /// The first line of the statement of IEC 61131-3 that the instruction belongs to.
 std::string statementText(const Program& program, const Instruction& instruction) {
-  constexpr std::size_t most = 60;
   std::string_view text = program.sources->text(instruction.span);
-  text = text.substr(0, text.find_first_of("\r\n"));
-  return text.size() <= most ? std::string(text) : std::string(text.substr(0, most)) + "...";
+  return std::string(text.substr(0, text.find_first_of("\r\n")));
 }
 
 /// One question for each instruction and each kind of hazard it may meet, in the order of the encoding.

@@ -72,10 +72,11 @@ std::vector<OptionInForce> optionsOf(const Settings& settings) {
   return options;
 }
 
-std::vector<ChoiceInForce> choicesOf(const Settings& settings) {
+std::vector<ChoiceInForce> choicesOf(const Settings& settings, const Program& program) {
   const Choices choices = settings.choices();
   std::vector<ChoiceInForce> list;
   for (const ChoiceInfo& info : choiceTable) {
+    if ((info.choice >= Choice::IecDivZero) != isIec(program.target)) continue;  // of another family
     list.push_back({std::string(info.key), std::string(choices.valueName(info.choice)),
                     choices.isChosen(info.choice) ? settings.choiceOrigin(info.choice) : "",
                     info.kind == ChoiceKind::Fact, std::string(info.why)});
@@ -128,7 +129,7 @@ void addRecord(Report& report, const Settings& settings, const ProgramInput& inp
   record.edition = editionText(program.target.edition);
   record.files = filesOf(settings, program, propertyFiles);
   record.options = optionsOf(settings);
-  record.choices = choicesOf(settings);
+  record.choices = choicesOf(settings, program);
   record.symbols = symbolsOf(program);
   record.networks = picturesOf(program);
   report.programs.push_back(std::move(record));

@@ -104,6 +104,7 @@ class DrawingToStatements {
     ExprPtr made = std::make_unique<Expr>();
     made->kind = ExprKind::Unary;
     made->text = "NOT";
+    made->prefix = "BOOL";  // the sign of negation belongs to truth values
     made->span = inner->span;
     made->operands.push_back(std::move(inner));
     return made;

@@ -16,7 +16,7 @@ void Lowering::emit(std::string_view mnemonic, std::initializer_list<std::int64_
 
 namespace {
 
-Width widthOf(int bits) {
+Width accessOf(int bits) {
   return bits == 1 ? Width::Bit : bits == 8 ? Width::Byte : bits == 16 ? Width::Word : Width::DWord;
 }
 
@@ -24,7 +24,7 @@ Width widthOf(int bits) {
 
 void Lowering::emitPlace(std::string_view mnemonic, const Type& type, std::uint32_t offset) {
   emit(type.width == 1 ? std::string(mnemonic) + ".BIT" : std::string(mnemonic));
-  Operand place = direct(Area::V, widthOf(type.width), offset);
+  Operand place = direct(Area::V, accessOf(type.width), offset);
   place.span = span_;
   last().operands.push_back(std::move(place));
 }

@@ -291,7 +291,8 @@ const Type* Lowering::unary(Scope& scope, const Expr& expr, const Type* wanted) 
   const Expr& inner = *expr.operands[0];
   const Type* type = value(scope, inner, wanted);
   if (expr.text == "NOT") {
-    if (type->kind != Kind::Bool && !type->isNumber()) refuse(expr.span, fmt::format("NOT of {}", type->name));
+    const bool fits = type->kind == Kind::Bool || (expr.prefix.empty() && type->isNumber());
+    if (!fits) refuse(expr.span, fmt::format("NOT of {}", type->name));
     emit("NOT", {type->width});
   } else if (type->kind == Kind::Real) {
     emit("NEG.REAL");

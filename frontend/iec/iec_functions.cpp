@@ -141,7 +141,8 @@ const Type* Lowering::standardResult(Scope& scope, const std::string& name, cons
   const auto found = standardFunctions().find(name);
   if (found == standardFunctions().end()) {
     if (const Type* target = conversionTarget(name)) return target;
-    refuse(expr.span, fmt::format("there is no function {}", excerpt(expr.parts[0].name)), Syntax::IecName);
+    refuse(expr.span, fmt::format("there is no function and no instance {}", excerpt(expr.parts[0].name)),
+           Syntax::IecName);
   }
   std::vector<const Expr*> values = plainArguments(expr, {"IN", "G", "K", "MN", "IN0", "IN1", "IN2", "MX", "N"});
   if (found->second.call == Call::Compare) return elementaryType("BOOL");
@@ -373,7 +374,8 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
 const Type* Lowering::conversion(Scope& scope, const std::string& name, const Expr& expr) {
   const Type* target = conversionTarget(name);
   if (target == nullptr)
-    refuse(expr.span, fmt::format("there is no function {}", excerpt(expr.parts[0].name)), Syntax::IecName);
+    refuse(expr.span, fmt::format("there is no function and no instance {}", excerpt(expr.parts[0].name)),
+           Syntax::IecName);
   if (target->kind == Kind::Unsupported)
     refuse(expr.span, fmt::format("values of type {} are not modelled", target->name), Syntax::IecNotModelled);
   const std::vector<const Expr*> values = plainArguments(expr, {"IN"});

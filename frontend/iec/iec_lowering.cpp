@@ -140,6 +140,9 @@ Variable Lowering::makeVariable(const VariableSyntax& syntax, const std::string&
 
 void Lowering::initialize(const Type& type, std::uint32_t offset, const Initial* initial) {
   if (initial == nullptr) initial = type.initial;
+  const bool fits = initial == nullptr || initial->isRow == (type.kind == Kind::Array);
+  if (!fits || (initial != nullptr && initial->isStructure != (type.kind == Kind::Struct)))
+    refuse(initial->span, fmt::format("this is no value of type {}", type.name));
   if (type.kind == Kind::Array) {
     std::uint32_t at = offset;
     const std::uint32_t size = type.element->bytes;

@@ -10,6 +10,7 @@
 #include "frontend/plcopen/plcopen_reader.hpp"
 #include "frontend/stl/directive.hpp"
 #include "frontend/stl/stl_lexer.hpp"
+#include "frontend/xml/xml_shape.hpp"
 #include "frontend/xml/xml_text.hpp"
 
 namespace rungproof::iec {
@@ -29,6 +30,22 @@ bool hasStructuredText(std::string_view text) {
 }
 
 namespace {
+
+/// Lists of variables; what else stands there may change what they mean.
+constexpr std::string_view listAttributesOfIec =
+    "name globalId constant:b retain:b nonretain:b persistent:b nonpersistent:b";
+constexpr XmlShape shapesOfVariables[] = {
+    {"localVars", listAttributesOfIec, "variable documentation addData"},
+    {"tempVars", listAttributesOfIec, "variable documentation addData"},
+    {"inputVars", listAttributesOfIec, "variable documentation addData"},
+    {"outputVars", listAttributesOfIec, "variable documentation addData"},
+    {"inOutVars", listAttributesOfIec, "variable documentation addData"},
+    {"externalVars", listAttributesOfIec, "variable documentation addData"},
+    {"globalVars", listAttributesOfIec, "variable documentation addData"},
+    {"variable", "name globalId address group orderWithinParamSet", "type initialValue documentation addData"},
+    {"initialValue", "", "simpleValue arrayValue structValue"},
+    {"simpleValue", "value", ""},
+};
 
 class PlcopenText {
  public:
@@ -119,8 +136,12 @@ class PlcopenText {
     for (const pugi::xml_node& child : node.children()) {
       const std::string_view name = localName(child);
       if (name == "returnType") block.result = typeOf(firstElement(child));
+      const bool isPassedOver = child.type() != pugi::node_element || name == "returnType" || name == "documentation" ||
+                                name == "addData" || name == "configVars" || name == "accessVars";
       if (const auto section = sections.find(name); section != sections.end())
         readVariables(child, section->second, block.variables);
+      else if (!isPassedOver)
+        error(child, fmt::format("element <{}> is not known in an interface", excerpt(name)));
     }
   }
 
@@ -215,6 +236,7 @@ class PlcopenText {
   }
 
   void readVariables(const pugi::xml_node& list, Section section, std::vector<VariableSyntax>& into) {
+    for (const ShapeFault& fault : faultsOf(list, shapesOfVariables)) error(fault.node, fault.message);
     for (const pugi::xml_node& node : list.children()) {
       if (localName(node) != "variable") continue;
       VariableSyntax made = readVariable(node, section);
@@ -273,10 +295,13 @@ class PlcopenText {
   }
 
   void readBody(const pugi::xml_node& body, BlockSyntax& block) {
+    int languages = 0;
     for (const pugi::xml_node& child : body.children()) {
       if (child.type() != pugi::node_element) continue;
       const std::string_view language = localName(child);
       if (language == "documentation" || language == "addData") continue;
+      if (++languages == 2)
+        error(child, fmt::format("the body of {} has a second language; which of them runs is not known", block.name));
       if (language == "LD" || language == "FBD") {
         readDrawing(child, block);
         continue;

@@ -278,7 +278,9 @@ TEST(Plcopen, FaultsOfAllKindsAreReported) {
   const auto rule = [](const std::string& body) {
     std::vector<std::string> variables = fiveBits;
     variables.insert(variables.end(), {"n:INT", "t:TON", "r:REAL"});
-    const Program program = readText("t.xml", plcopen(variables, "FBD", body));
+    ReadOptions asS7200;
+    asS7200.dialect = "s7-200";
+    const Program program = readText("t.xml", plcopen(variables, "FBD", body), asS7200);
     return program.findings.empty() ? "" : std::string(program.findings[0].rule);
   };
   EXPECT_EQ(rule(inElement(1, "a") + inElement(1, "b") + outElement(2, {"1"}, "y")), "GRF001");  // one id twice

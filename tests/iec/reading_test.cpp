@@ -19,7 +19,7 @@ constexpr Wrong wrongTexts[] = {
     {"a : INT;", "IF a THEN a := 1; END_IF;", "INT does not fit into BOOL"},
     {"a : INT;", "a := 100000;", "100000 does not fit into INT"},
     {"b : REAL; a : INT;", "FOR b := 1 TO 3 DO a := 1; END_FOR;", "FOR counts in a variable of whole numbers"},
-    {"a : INT;", "a := foo(3);", "there is no function foo"},
+    {"a : INT;", "a := foo(3);", "there is no function and no instance foo"},
     {"a : INT;", "a := T#5s;", "TIME does not fit into INT"},
     {"u : UNKNOWN;", "", "there is no type UNKNOWN"},
     {"a : ARRAY [3..1] OF INT;", "", "the bounds of the array are no constants in ascending order"},
