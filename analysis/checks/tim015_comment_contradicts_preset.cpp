@@ -49,6 +49,21 @@ std::vector<std::pair<std::uint32_t, std::size_t>> timersIn(std::string_view tex
 /// Properties and expectations speak of the whole machine.
 bool isDirective(std::string_view text) { return text.starts_with("//@") || text.starts_with("//!"); }
 
+/// The times of clock bits that a network asks: on, and from one edge to the next; in us.
+std::vector<std::int64_t> clockTimesIn(const Network& network) {
+  std::vector<std::int64_t> times;
+  for (const Instruction& instruction : network.instructions) {
+    for (const Operand& o : instruction.operands) {
+      const bool isClock = o.kind == OperandKind::Direct && o.area == Area::SM && o.width == Width::Bit &&
+                           o.offset == 0 && (o.bit == 4 || o.bit == 5);
+      if (!isClock) continue;
+      const std::int64_t on = o.bit == 4 ? 30'000'000 : 500'000;
+      times.insert(times.end(), {on, 2 * on});
+    }
+  }
+  return times;
+}
+
 class Comparison {
  public:
   Comparison(const Facts& facts, FindingSink& sink)
@@ -105,6 +120,7 @@ class Comparison {
     for (auto id = first; id != timers_.end() && *id <= network.instructions.back().id; ++id)
       here.push_back(timerAt(*id));
     if (here.empty()) return;
+    clockTimes_ = clockTimesIn(network);
     const SourceSet& sources = *facts_.program().sources;
     for (const Comment& comment : network.comments) {
       const auto line = sources.position(comment.span).line;
@@ -119,9 +135,15 @@ class Comparison {
 
   /// A comment in a network with these timers; `beside`: it stands on the line of that one.
   void ofText(std::string_view text, std::span<const TimerPlace> here, const TimerPlace* beside, Span span) {
-    const std::vector<WrittenDuration> durations = durationsIn(text);
-    if (durations.empty() || isDirective(text)) return;
+    std::vector<WrittenDuration> durations = durationsIn(text);
     const auto named = timersIn(text);
+    // A text about the whole network may speak of its clock bit.
+    if (named.empty() && beside == nullptr) {
+      std::erase_if(durations, [&](const WrittenDuration& d) {
+        return std::ranges::find(clockTimes_, d.us) != clockTimes_.end();
+      });
+    }
+    if (durations.empty() || isDirective(text)) return;
     if (named.empty()) {
       const auto claims = std::ranges::count_if(durations, [](const WrittenDuration& d) { return !d.isTimeBase; });
       if (beside != nullptr)
@@ -182,7 +204,8 @@ class Comparison {
 
   const Facts& facts_;
   FindingSink& sink_;
-  std::vector<std::uint32_t> timers_;  ///< ids of their boxes
+  std::vector<std::uint32_t> timers_;     ///< ids of their boxes
+  std::vector<std::int64_t> clockTimes_;  ///< of the network that is looked at
   std::set<std::pair<std::uint32_t, std::string>> reported_;
 };
 

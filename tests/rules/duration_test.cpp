@@ -89,7 +89,11 @@ TEST(Tim015, FindsWhatDisagrees) {
                               "\n// задержка 10 сек\nLD I0.0\nTON T33, 100",               // 1 s
                               "\n//延时5秒\nLD I0.0\nTON T97, 50",                         // 500 ms
                               "\n// T37 3 s, T38 4 s\nLD I0.0\nTON T37, 30\nTON T38, 20",  // T38: 2 s
-                              "\nLD I0.0\nTONR T5, 600 // one minute: 60 min"})            // 60 s
+                              "\nLD I0.0\nTONR T5, 600 // one minute: 60 min",             // 60 s
+                              "\nLD SM0.5\nTON T37, 50 // 1 s",                            // beside the timer
+                              "\n// T37 1 s\nLD SM0.5\nTON T37, 50",                       // it is named
+                              "\n// after 3 s\nLD SM0.5\nTON T37, 50",                     // no time of the clock
+                              "\n// after 1 s\nLD I0.0\nTON T37, 50"})                     // no clock
     EXPECT_EQ(found(network).size(), 1U) << network;
 }
 
@@ -101,6 +105,9 @@ TEST(Tim015, IsSilentWhereTheTextIsTrueOrSpeaksOfSomethingElse) {
         "\n// 100 ms timer\nLD I0.0\nTON T37, 50",
         "\n// after 2 s, and 10 s later the horn\nLD I0.0\nTON T37, 50",  // two times, one timer
         "\n// see T40: 3 s\nLD I0.0\nTON T37, 50", "\nLD I0.0 // pressed for 2 s\nTON T37, 20",
+        // The clock bit of the network: half a second on, one from edge to edge.
+        "\n// blinks with 1 s\nLD I0.0\nTON T37, 50\nLD SM0.5\nA T37\n= Q0.0",
+        "\n// 500 ms clock\nLD T37\nA SM0.5\n= Q0.0\nLD I0.0\nTON T37, 50", "\n// once in 1 min\nLD SM0.4\nTON T37, 50",
         "\n// belt at 5 m/s\nLD I0.0\nTON T37, 50", "\nLD I0.0\nTON T37, 50 // T37 5 s; the drive needs 1 s"})
     EXPECT_TRUE(found(network).empty()) << network << ": " << found(network).front();
 }
