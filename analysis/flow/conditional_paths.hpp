@@ -1,7 +1,8 @@
 // Paths through a block of an S7-300/400 that know what they have passed: a path on which a jump was taken carries what
 // that says of RLO, BR and the bits that were scanned, and takes no later jump against it. A LAD box leaves its ENO in
-// BR, so what stands behind `A BR; JNB` runs only where the box before it ran. What is not followed is unknown, and
-// where there are too many paths they become one that knows nothing. Tested by tests/rules/step7_paths_test.cpp.
+// BR, so what stands behind `A BR; JNB` runs only where the box before it ran. What is not followed is unknown. Where
+// there are too many paths they forget their bits, and if that is not enough they become one that knows nothing. Tested
+// by tests/rules/step7_control_rules_test.cpp.
 #pragma once
 
 #include <cstdint>
@@ -23,6 +24,13 @@ class PathKnowledge {
   bool operator==(const PathKnowledge&) const = default;
   /// Of a path that is only known to be one of several.
   static PathKnowledge nothing();
+  /// Of RLO, BR and what is open alone.
+  PathKnowledge withoutBits() const {
+    PathKnowledge path = *this;
+    path.bits_.clear();
+    path.rloBit_ = noKey;
+    return path;
+  }
 
   /// What a step makes of it: visit(target, knowledge) for every step that may follow.
   template <class Visit>
@@ -91,25 +99,26 @@ std::vector<std::optional<State>> statesOnConditionalPaths(const Facts& facts, c
   };
   const auto end = static_cast<std::uint32_t>(flow.steps.size());
   std::vector<std::vector<Path>> paths(end + 1);
-  std::vector<std::uint8_t> isOne(end + 1, 0);  // too many have come here
+  enum class Keeps : std::uint8_t { All, NoBits, Nothing };
+  std::vector<Keeps> keeps(end + 1, Keeps::All);  // less where too many have come
   paths[0].push_back({PathKnowledge{}, entry});
-  const auto arrive = [&](std::uint32_t at, const PathKnowledge& knowledge, const State& state) {
-    std::vector<Path>& here = paths[at];
-    if (isOne[at] != 0) {
-      here.front().isDue = here.front().state.join(state) || here.front().isDue;
-      return;
-    }
-    for (Path& path : here) {
+  const auto join = [&](std::uint32_t at, const PathKnowledge& arriving, const State& state) {
+    const PathKnowledge knowledge = keeps[at] == Keeps::All      ? arriving
+                                    : keeps[at] == Keeps::NoBits ? arriving.withoutBits()
+                                                                 : PathKnowledge::nothing();
+    for (Path& path : paths[at]) {
       if (path.knowledge != knowledge) continue;
       path.isDue = path.state.join(state) || path.isDue;
       return;
     }
-    here.push_back({knowledge, state});
-    if (here.size() <= mostPaths) return;
-    Path joined{PathKnowledge::nothing(), here.front().state};
-    for (const Path& path : here) joined.state.join(path.state);
-    here.assign(1, joined);
-    isOne[at] = 1;
+    paths[at].push_back({knowledge, state});
+  };
+  const auto arrive = [&](std::uint32_t at, const PathKnowledge& knowledge, const State& state) {
+    join(at, knowledge, state);
+    while (paths[at].size() > mostPaths) {
+      keeps[at] = keeps[at] == Keeps::All ? Keeps::NoBits : Keeps::Nothing;
+      for (const Path& path : std::exchange(paths[at], {})) join(at, path.knowledge, path.state);
+    }
   };
   for (bool again = true; again;) {
     again = false;

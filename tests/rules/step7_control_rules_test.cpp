@@ -192,6 +192,11 @@ TEST(Step7Locals, ConditionsAreFollowedAlongThePaths) {
   const std::string temp = "VAR_INPUT\nGo : BOOL;\nEND_VAR\nVAR_TEMP\nX : INT;\nB : BOOL;\nEND_VAR\n";
   const std::string box = "A #Go;\nJNB _001;\nL MW 10;\nL 5;\n+I;\nT #X;\nAN OV;\nSAVE;\nCLR;\n_001: ";
   const std::string use = "L #X;\nT MW 20;\n_002: NOP 0;";
+  std::string many;
+  for (int i = 0; i < 12; ++i) {
+    const std::string bit = std::to_string(i / 8) + "." + std::to_string(i % 8), label = "n" + std::to_string(i);
+    many += "A I " + bit + ";\nJNB " + label + ";\nL 1;\nT MW 30;\n" + label + ": A BR;\n= M 5" + bit + ";\n";
+  }
   expectFindings(
       "SUB005",
       {{"the chain of the LAD compiler", 0, fc(1, box + "A BR;\nJNB _002;\n" + use, temp)},
@@ -207,6 +212,7 @@ TEST(Step7Locals, ConditionsAreFollowedAlongThePaths) {
        {"three boxes in a row", 0,
         fc(1, box + "A BR;\nJNB _003;\nL #X;\nL 2;\n*I;\nT #X;\nAN OV;\nSAVE;\nCLR;\n_003: A BR;\nJNB _002;\n" + use,
            temp)},
+       {"behind many networks with bits of their own", 0, fc(1, many + box + "A BR;\nJNB _002;\n" + use, temp)},
        {"BR of the inverse", 1, fc(1, box + "AN BR;\nJNB _002;\n" + use, temp)},
        {"BR in parallel", 1, fc(1, box + "A BR;\nO M 0.0;\nJNB _002;\n" + use, temp)},
        {"a call in between", 1, fc(2, "A I 0.0;\n= Q 0.0;") + fc(1, box + "UC FC 2;\nA BR;\nJNB _002;\n" + use, temp)},
