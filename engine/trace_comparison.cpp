@@ -21,12 +21,49 @@ std::uint64_t startOf(const Trace& trace, std::size_t row) {
   return row == 0 ? 0 : trace.rows[row - 1].timeUs;
 }
 
+std::string capitalsOf(std::string_view name) {
+  std::string result(name);
+  for (char& c : result) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
+  }
+  return result;
+}
+
 }  // namespace
+
+SignalIndex::SignalIndex(const Trace& trace) {
+  for (std::size_t i = 0; i < trace.signals.size(); ++i) {
+    const TraceSignal& signal = trace.signals[i];
+    const int index = static_cast<int>(i);
+    const Operand& o = signal.operand;
+    if (o.isMemory()) byPlace_.try_emplace({o.area, o.offset, o.bit, o.width}, index);
+    byName_.try_emplace(capitalsOf(signal.name), index);
+    if (!signal.symbol.empty()) bySymbol_.try_emplace(capitalsOf(signal.symbol), index);
+  }
+}
+
+int SignalIndex::signalNamed(std::string_view name) const {
+  const std::string capitals = capitalsOf(name);
+  if (const auto found = byName_.find(capitals); found != byName_.end()) return found->second;
+  const auto found = bySymbol_.find(capitals);
+  return found == bySymbol_.end() ? -1 : found->second;
+}
+
+int SignalIndex::indexOf(const TraceSignal& signal) const {
+  const Operand& o = signal.operand;
+  if (o.isMemory()) {
+    if (const auto found = byPlace_.find({o.area, o.offset, o.bit, o.width}); found != byPlace_.end())
+      return found->second;
+  }
+  const int named = signalNamed(signal.name);
+  return named >= 0 || signal.symbol.empty() ? named : signalNamed(signal.symbol);
+}
 
 std::vector<std::string> missingSignals(const Trace& expected, const Trace& actual) {
   std::vector<std::string> missing;
+  const SignalIndex index(actual);
   for (const TraceSignal& signal : expected.signals) {
-    if (actual.indexOf(signal) < 0) missing.push_back(signal.name);
+    if (index.indexOf(signal) < 0) missing.push_back(signal.name);
   }
   return missing;
 }
@@ -82,15 +119,15 @@ std::vector<TraceDifference> differences(const Trace& expected, const Trace& act
     double tolerance;
   };
   std::vector<Pair> pairs;
+  std::map<int, double> tolerances;
+  const SignalIndex wantedIndex(expected), index(actual);
+  for (const Tolerance& given : options.tolerances) tolerances[wantedIndex.signalNamed(given.signal)] = given.value;
   for (std::size_t i = 0; i < expected.signals.size(); ++i) {
-    const int other = actual.indexOf(expected.signals[i]);
+    const int other = index.indexOf(expected.signals[i]);
     if (other < 0) continue;
-    double tolerance = 0;
-    for (const Tolerance& given : options.tolerances) {
-      if (expected.signalNamed(given.signal) == static_cast<int>(i)) tolerance = given.value;
-    }
-    pairs.push_back(
-        {i, static_cast<std::size_t>(other), actual.signals[static_cast<std::size_t>(other)].type, tolerance});
+    const auto tolerance = tolerances.find(static_cast<int>(i));
+    pairs.push_back({i, static_cast<std::size_t>(other), actual.signals[static_cast<std::size_t>(other)].type,
+                     tolerance == tolerances.end() ? 0 : tolerance->second});
   }
   for (std::size_t e = 0; e < expected.rows.size(); ++e) {
     const TraceRow& row = expected.rows[e];

@@ -3,8 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <tuple>
+#include <unordered_map>
 #include <vector>
 
 #include "engine/trace.hpp"
@@ -31,6 +35,19 @@ struct TraceDifference {
   std::uint64_t timeUs = 0;
   double expected = 0;
   std::optional<double> actual;  ///< nothing: the actual trace has no value there
+};
+
+/// The signals of a trace by address and name: what Trace::indexOf() says, without a look at each of them.
+class SignalIndex {
+ public:
+  explicit SignalIndex(const Trace& trace);
+  int indexOf(const TraceSignal& signal) const;
+  int signalNamed(std::string_view name) const;
+
+ private:
+  using Place = std::tuple<Area, decltype(Operand::offset), decltype(Operand::bit), Width>;
+  std::map<Place, int> byPlace_;
+  std::unordered_map<std::string, int> byName_, bySymbol_;  ///< in capitals
 };
 
 /// Signals of the expected trace that the actual one lacks.

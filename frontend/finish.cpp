@@ -47,6 +47,9 @@ class PieceBuffer : public std::streambuf {
   bool isTaken_ = true;
 };
 
+/// Bytes of a message beyond which messageText() cuts it, in every form of a report.
+constexpr std::size_t longestMessage = 2000;
+
 /// Forms that people read on a terminal or in a log. The others are files, and escape in their own way.
 bool isForPeople(std::string_view form) {
   static constexpr std::array<std::string_view, 6> forms = {"human", "concise", "text", "markdown", "github", ""};
@@ -84,6 +87,10 @@ bool Context::write(const OutputRequest& output, const PiecewiseText& text, Inpu
 
 Exit finish(const Context& context, Report report) {
   std::erase_if(report.findings, [&](const Finding& finding) { return finding.severity < context.settings.level(); });
+  for (Finding& finding : report.findings) {
+    if (finding.message.size() > longestMessage) finding.message = messageText(finding.message);
+    if (finding.help.size() > longestMessage) finding.help = messageText(finding.help);
+  }
   sortFindings(report);
   if (!report.failLevel || context.settings.isSet(Opt::FailLevel)) report.failLevel = context.settings.failLevel();
   report.exitsZero = context.settings.flag(Opt::ExitZero);

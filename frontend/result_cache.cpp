@@ -5,11 +5,13 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <link.h>
+#include <sys/file.h>
 #include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
@@ -68,6 +70,52 @@ std::optional<std::string> bytesOf(const fs::path& name) {
   std::ifstream stream(name, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(stream), {}};
   return stream.good() || stream.eof() ? std::optional(std::move(bytes)) : std::nullopt;
+}
+
+/// Whether the bytes of an input can be looked at again: what came through a pipe is gone.
+bool isRepeatable(const std::string& name) {
+  std::error_code error;
+  const fs::file_status status = fs::status(name, error);
+  return !fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status);
+}
+
+/// Why results are not kept in a folder: others could put files into it, or links. Empty: it is this user's, made if it
+/// was not there.
+std::string folderProblem(const std::string& name) {
+  std::error_code error;
+  if (fs::path(name).has_parent_path()) fs::create_directories(fs::path(name).parent_path(), error);
+  if (::mkdir(name.c_str(), 0700) == 0) return {};
+  if (errno != EEXIST) return fmt::format("'{}' cannot be made: {}", name, std::strerror(errno));
+  struct stat status {};
+  if (::stat(name.c_str(), &status) != 0 || !S_ISDIR(status.st_mode)) return fmt::format("'{}' is no folder", name);
+  if (status.st_uid != ::geteuid()) return fmt::format("the folder '{}' belongs to another user", name);
+  if ((status.st_mode & S_IWOTH) != 0) return fmt::format("everybody may write into the folder '{}'", name);
+  return {};
+}
+
+/// Into the folder itself, never to where a link in it leads.
+void writeEntry(const std::string& file, std::string_view text) {
+  removeStaleParts(fs::path(file).parent_path(), {});
+  const std::string part = partOf(file);
+  ::unlink(part.c_str());  // of a process that had our number and was ended
+  const int opened = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (opened < 0) return;
+  bool isWritten = ::flock(opened, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+  while (isWritten && !text.empty()) {
+    const ssize_t count = ::write(opened, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    isWritten = count > 0;
+    if (isWritten) text.remove_prefix(static_cast<std::size_t>(count));
+  }
+  isWritten = ::close(opened) == 0 && isWritten;
+  if (!isWritten || ::rename(part.c_str(), file.c_str()) != 0) ::unlink(part.c_str());
+}
+
+/// The bytes of an entry: a file of this user, no link.
+std::optional<std::string> entryBytes(const std::string& file) {
+  struct stat status {};
+  const bool isOurs = ::lstat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == ::geteuid();
+  return isOurs ? bytesOf(file) : std::nullopt;
 }
 
 /// The key of this user, made when it is first asked for; empty if there is no place for it.
@@ -206,13 +254,13 @@ ResultCache::ResultCache(std::string folder, std::string question, const std::ve
   if (build.empty() || key_.empty() || error) return;
   question_ = build + '\n' + here.string() + '\n' + std::move(question) + '\n';
   for (const std::string& name : given) question_ += surroundingsOf(name);
-  fs::create_directories(folder, error);
-  file_ = (fs::path(folder) / sha256(question_)).string();
+  problem_ = folderProblem(folder);
+  if (problem_.empty()) file_ = (fs::path(folder) / sha256(question_)).string();
 }
 
 std::optional<KeptResult> ResultCache::find() const {
   if (file_.empty()) return std::nullopt;
-  const std::optional<std::string> entry = bytesOf(file_);
+  const std::optional<std::string> entry = entryBytes(file_);
   if (!entry) return std::nullopt;
   EntryParts parts(*entry);
   if (parts.line() != entryForm) return std::nullopt;
@@ -233,6 +281,7 @@ std::optional<KeptResult> ResultCache::find() const {
 void ResultCache::keep(const KeptResult& result) const {
   if (file_.empty()) return;
   const std::vector<std::string> inputs = inputNames();
+  if (!std::ranges::all_of(inputs, isRepeatable)) return;
   if (std::ranges::any_of(inputs, [&](const std::string& name) { return mayHaveChangedSince(name, begin_); })) return;
   std::string body;
   append(body, question_);
@@ -245,7 +294,7 @@ void ResultCache::keep(const KeptResult& result) const {
   append(body, result.out);
   append(body, result.err);
   // A cache that cannot be written is none: the result has been printed.
-  static_cast<void>(writeOutputFile(file_, fmt::format("{}\n{}\n{}", entryForm, signatureOf(key_, body), body)));
+  writeEntry(file_, fmt::format("{}\n{}\n{}", entryForm, signatureOf(key_, body), body));
 }
 
 std::string withoutProgress(std::string_view text) {
@@ -267,6 +316,7 @@ Exit repeatOrRun(const ResultCache& cache, Context& context, const KeptWork& wor
     context.err << kept->err;
     return kept->exit;
   }
+  if (!cache.problem().empty()) context.err << fmt::format("rungproof: results are not kept: {}\n", cache.problem());
   CopyingBuffer outCopy(context.out), errCopy(context.err);
   std::ostream out(&outCopy), err(&errCopy);
   Context copied{context.settings, context.in, out, err, context.color, context.progress, context.outputs};

@@ -22,7 +22,8 @@ struct KeptResult {
 
 class ResultCache {
  public:
-  /// Nothing is kept if `folder` is empty, if texts are held in place of files, or if this user can have no key.
+  /// Nothing is kept if `folder` is empty, belongs to somebody else or is open to all, if texts are held in place of
+  /// files, or if this user can have no key. Links in the folder are not followed.
   /// `question`: everything that was asked; `given`: files and folders of the command line.
   ResultCache(std::string folder, std::string question, const std::vector<std::string>& given);
 
@@ -32,7 +33,11 @@ class ResultCache {
   /// files may have changed since the run began, or where the folder cannot be written.
   void keep(const KeptResult& result) const;
 
+  /// Why nothing is kept although a folder is named; empty if there is nothing to say.
+  const std::string& problem() const { return problem_; }
+
  private:
+  std::string problem_;
   std::string file_;  ///< of the entry; empty: nothing is kept
   std::string question_;
   std::string key_;

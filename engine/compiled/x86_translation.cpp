@@ -2,6 +2,7 @@
 #include "engine/compiled/emitter.hpp"
 
 #if defined(__x86_64__)
+#include "engine/compiled/code_pages.hpp"
 #include "engine/compiled/x86_emitter.hpp"
 #endif
 
@@ -11,16 +12,11 @@ namespace rungproof::compiled {
 
 namespace {
 
-asmjit::JitRuntime& runtime() {
-  static asmjit::JitRuntime runtime;
-  return runtime;
-}
-
 class X86Code final : public MachineCode {
  public:
   using Function = std::uint64_t (*)(Workspace*);
   explicit X86Code(Function function) : function_(function) {}
-  ~X86Code() override { runtime().release(function_); }
+  ~X86Code() override { codePages().release(function_); }
   X86Code(const X86Code&) = delete;
   X86Code& operator=(const X86Code&) = delete;
   bool run(Workspace& workspace) const override { return function_(&workspace) != 0; }
@@ -35,11 +31,11 @@ bool canTranslate() { return asmjit::CpuInfo::host().features().x86().hasBMI2();
 
 std::unique_ptr<MachineCode> translated(const Code& code, const std::vector<bool>& isNeeded) {
   asmjit::CodeHolder holder;
-  if (holder.init(runtime().environment()) != asmjit::kErrorOk) return nullptr;
+  if (holder.init(codePages().environment()) != asmjit::kErrorOk) return nullptr;
   const std::optional<Layout> layout = X86Emitter(code, isNeeded, holder).emit();
   if (!layout) return nullptr;
   X86Code::Function function = nullptr;
-  if (runtime().add(&function, &holder) != asmjit::kErrorOk) return nullptr;
+  if (codePages().add(&function, &holder) != asmjit::kErrorOk) return nullptr;
   auto made = std::make_unique<X86Code>(function);
   made->layout = *layout;
   return made;

@@ -4,6 +4,7 @@
 #include "engine/lanes/lane_code.hpp"
 
 #if defined(__x86_64__)
+#include "engine/compiled/code_pages.hpp"
 #include "engine/lanes/lane_emitter.hpp"
 #include "engine/lanes/wide_emitter.hpp"
 #endif
@@ -14,24 +15,19 @@ namespace rungproof::lanes {
 
 namespace {
 
-asmjit::JitRuntime& laneRuntime() {
-  static asmjit::JitRuntime runtime;
-  return runtime;
-}
-
 class X86LaneCode final : public LaneCode {
  public:
   X86LaneCode(const Code& code, const std::vector<bool>& isNeeded, const Concrete::Store& model, bool isWide)
       : LaneCode(code, isNeeded, model, isWide) {
     asmjit::CodeHolder holder;
-    if (holder.init(laneRuntime().environment()) != asmjit::kErrorOk) return;
+    if (holder.init(compiled::codePages().environment()) != asmjit::kErrorOk) return;
     const Translation translation{code, isNeeded, layout, byTrace_, holder};
     if (layout.form == Form::Wide)
       translate(WideEmitter(translation), holder);
     else
       translate(LaneEmitter(translation), holder);
   }
-  ~X86LaneCode() override { laneRuntime().release(code_); }
+  ~X86LaneCode() override { compiled::codePages().release(code_); }
   X86LaneCode(const X86LaneCode&) = delete;
   X86LaneCode& operator=(const X86LaneCode&) = delete;
   bool isThere() const { return code_ != nullptr; }
@@ -46,7 +42,7 @@ class X86LaneCode final : public LaneCode {
 
   template <class Emitter>
   void translate(Emitter&& emitter, asmjit::CodeHolder& holder) {
-    if (!emitter.emit() || laneRuntime().add(&code_, &holder) != asmjit::kErrorOk) return;
+    if (!emitter.emit() || compiled::codePages().add(&code_, &holder) != asmjit::kErrorOk) return;
     for (const asmjit::Label& entry : emitter.entries())
       parts_.push_back(reinterpret_cast<Part>(code_ + holder.labelOffsetFromBase(entry)));
   }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <optional>
 
 #include "frontend/assistant/tool.hpp"
@@ -107,7 +109,10 @@ class BesideFolder {
 
   bool isThere() const { return !name_.empty(); }
   std::string file(std::string_view name) const { return fmt::format("{}/{}", name_, name); }
-  std::string text(std::string_view name) const { return bytesOfInput(file(name)).value_or(""); }
+  std::string text(std::string_view name) const {
+    std::ifstream stream(file(name), std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
 
  private:
   std::string name_;
@@ -166,6 +171,8 @@ std::variant<Json, std::function<std::string()>> callOf(const Tool& tool, const 
   if (arguments.kind() != Json::Kind::Object && arguments.kind() != Json::Kind::Null)
     return errorResult("the arguments must be an object");
   if (const std::string problem = readArguments(tool, arguments, call); !problem.empty()) return errorResult(problem);
+  if (const auto problem = call.path.empty() ? std::nullopt : confinedAgainst(call.path))
+    return errorResult(fmt::format("'{}' is not read: {}", call.path, *problem));
   return [&tool, call, given] { return runTool(tool, call, given); };
 }
 

@@ -1,5 +1,8 @@
 // `rungproof mcp`: tools for assistants.
+#include <fmt/format.h>
 #include <unistd.h>
+
+#include <filesystem>
 
 #include "frontend/assistant/assistant_server.hpp"
 #include "frontend/command.hpp"
@@ -8,8 +11,18 @@ namespace rungproof {
 
 namespace {
 
-Action setup(ArgumentTable&) {
-  return [](Context& context) { return AssistantServer(context, STDIN_FILENO, STDOUT_FILENO).run(); };
+Action setup(ArgumentTable& table) {
+  auto root = std::make_shared<std::string>(".");
+  table.option("--root", *root, "DIR", "folder that tools may read, links followed [default: the current one]");
+  return [root](Context& context) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(*root, error))
+      return context.fail({fmt::format("'{}' is no folder", *root), {}, "--root names the folder that tools may read"});
+    confineInputs(*root);
+    const Exit exit = AssistantServer(context, STDIN_FILENO, STDOUT_FILENO).run();
+    confineInputs({});
+    return exit;
+  };
 }
 
 }  // namespace
@@ -22,8 +35,9 @@ extern constexpr Command mcpCommand = {
         "Reads and writes messages of the Model Context Protocol, one a line, on standard input and output. Tools:\n"
         "lint, check, prove, sim, show, explain and xref, as the commands of these names; the program is given as "
         "text\n"
-        "or as a path. An answer has the text of the command and its JSON report. Options given here count for every\n"
-        "call.\n"
+        "or as a path below --root. An answer has the text of the command and its JSON report. Options given here "
+        "count\n"
+        "for every call; files that they name must lie below --root too.\n"
         "\n"
         "Example, in the settings of an assistant:\n"
         "    { \"mcpServers\": { \"rungproof\": { \"command\": \"rungproof\", \"args\": [\"mcp\", \"--timeout\", "

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <ostream>
@@ -67,7 +68,53 @@ struct Job {
   ScanTime scanTime{};
   bool keepsTrace = true;               ///< somebody looks at the trace afterwards
   std::optional<std::string> stream{};  ///< file to which rows go while the run goes on; "-": standard output
+  bool isSparse = false;                ///< only the scans at expected moments are looked at, and those around them
   std::uint64_t memory = 0;             ///< bytes that the trace may take
+
+  /// Scans before and behind one that is looked at.
+  std::size_t around() const { return compare.slack + scansAround; }
+  /// Rows of a trace of so many scans that are kept at most.
+  std::uint64_t keptRows(std::uint64_t scans) const {
+    return isSparse ? std::min<std::uint64_t>(scans, (expected->rows.size() + 1) * (2 * around() + 1)) : scans;
+  }
+};
+
+/// Keeps the rows of a run that a comparison by time looks at: the scans in which expected moments fall, with those
+/// around them, and the last ones.
+class RowsAtMoments {
+ public:
+  RowsAtMoments(const Trace& expected, std::size_t around, std::vector<TraceRow>& kept)
+      : moments_(expected.rows), around_(around), kept_(kept) {}
+  ~RowsAtMoments() { keepWaiting(); }
+  RowsAtMoments(const RowsAtMoments&) = delete;
+  RowsAtMoments& operator=(const RowsAtMoments&) = delete;
+
+  void add(TraceRow row) {
+    bool isLookedAt = false;
+    for (; next_ < moments_.size() && moments_[next_].timeUs < row.timeUs; ++next_) isLookedAt = true;
+    if (isLookedAt) {
+      keepWaiting();
+      left_ = around_ + 1;
+    }
+    if (left_ > 0) {
+      --left_;
+      kept_.push_back(std::move(row));
+      return;
+    }
+    waiting_.push_back(std::move(row));
+    if (waiting_.size() > around_) waiting_.pop_front();
+  }
+
+ private:
+  void keepWaiting() {
+    std::ranges::move(waiting_, std::back_inserter(kept_));
+    waiting_.clear();
+  }
+
+  const std::vector<TraceRow>& moments_;
+  std::size_t around_, next_ = 0, left_ = 0;
+  std::deque<TraceRow> waiting_;  ///< the last ones, in case that the next is looked at
+  std::vector<TraceRow>& kept_;
 };
 
 class Preparation {
@@ -88,6 +135,8 @@ class Preparation {
     }
     job.stream = streamed(job);
     job.keepsTrace = !job.stream && (!arguments_.traces.empty() || job.expected || isResult());
+    job.isSparse = job.expected && job.expected->isByTime && arguments_.traces.empty() &&
+                   std::ranges::is_sorted(job.expected->rows, {}, &TraceRow::timeUs);
     job.memory = context_.settings.memory().value_or(mostTraceBytes);
     if (failures.empty()) checkLength(job);
     return job;
@@ -105,8 +154,7 @@ class Preparation {
   /// One trace that nobody else looks at needs no memory, where its form takes row by row.
   std::optional<std::string> streamed(const Job& job) const {
     if (job.expected || arguments_.traces.size() > 1) return std::nullopt;
-    const bool isLengthGiven = arguments_.scans != 0 || !arguments_.duration.empty();
-    if (arguments_.traces.empty()) return isResult() && isLengthGiven ? std::optional<std::string>("-") : std::nullopt;
+    if (arguments_.traces.empty()) return isResult() ? std::optional<std::string>("-") : std::nullopt;
     const TraceFormat* format = traceFormatFor(arguments_.traces.front());
     return format != nullptr && format->appendRow != nullptr ? std::optional(arguments_.traces.front()) : std::nullopt;
   }
@@ -116,7 +164,8 @@ class Preparation {
     auto longest = static_cast<std::uint64_t>(job.scanTime.high.count());
     for (const StimulusRow& row : job.stimulus.rows) longest = std::max<std::uint64_t>(longest, row.scanUs.value_or(0));
     const std::uint64_t scans = std::max(job.scans, job.durationUs / longest);
-    auto failure = refusedRun(scans, job.keepsTrace ? job.signals.size() : 0, job.memory);
+    auto failure = refusedRun(scans, 0, job.memory);
+    if (!failure) failure = refusedRun(job.keptRows(scans), job.keepsTrace ? job.signals.size() : 0, job.memory);
     if (!failure) return;
     failure->place = !arguments_.stimulus.empty() ? arguments_.stimulus : arguments_.expect;
     failures.push_back(*failure);
@@ -167,8 +216,9 @@ class Preparation {
     if (!job.expected) return;
     Trace known;
     known.signals = job.signals;
+    const SignalIndex index(known);
     for (const TraceSignal& signal : job.expected->signals) {
-      if (known.indexOf(signal) < 0) job.signals.push_back(signalOf(program_, signal.operand));
+      if (index.indexOf(signal) < 0) job.signals.push_back(signalOf(program_, signal.operand));
     }
   }
 
@@ -256,7 +306,8 @@ std::optional<Failure> play(Simulator& simulator, GivenValues* given, const Job&
   Progress progress(context);
   std::optional<Failure> failure;
   while (simulator.scanCount() < job.scans || simulator.timeUs() < job.durationUs) {
-    failure = refusedRun(simulator.scanCount() + 1, job.keepsTrace ? job.signals.size() : 0, job.memory);
+    failure =
+        refusedRun(simulator.scanCount() + 1, job.keepsTrace && !job.isSparse ? job.signals.size() : 0, job.memory);
     if (failure) break;
     ScanRequest request = player.next();
     if (request.lengthUs == 0) request.lengthUs = lengths.next();
@@ -274,8 +325,13 @@ std::optional<Failure> record(Simulator& simulator, GivenValues* given, const Jo
                               const Context& context, ScanDrawings* drawings, Trace& trace) {
   trace.signals = job.signals;
   if (drawings != nullptr) simulator.observe(&drawings->recorder());
+  std::optional<RowsAtMoments> sparse;
+  if (job.isSparse) sparse.emplace(*job.expected, job.around(), trace.rows);
   return play(simulator, given, job, seed, context, [&] {
-    if (job.keepsTrace) trace.rows.push_back(sampleRow(simulator, trace.signals));
+    if (sparse)
+      sparse->add(sampleRow(simulator, trace.signals));
+    else if (job.keepsTrace)
+      trace.rows.push_back(sampleRow(simulator, trace.signals));
     if (drawings != nullptr) drawings->add();
     return true;
   });

@@ -4,19 +4,17 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <fnmatch.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstring>
-#include <fstream>
-#include <iostream>
-#include <iterator>
 #include <map>
 #include <mutex>
 #include <set>
-#include <sstream>
 #include <utility>
 
 namespace rungproof {
@@ -78,10 +76,76 @@ std::string heldKey(const std::string& name) {
   return error ? name : place.string();
 }
 
-/// What came on standard input, once it has been asked for.
-std::optional<std::string>& givenInput() {
-  static std::optional<std::string> text;
-  return text;
+/// What came on standard input and from pipes, once it has been asked for.
+std::map<std::string, InputBytes>& givenOnce() {
+  static std::map<std::string, InputBytes> all;
+  return all;
+}
+
+constexpr const char* standardName = "-";
+
+fs::path& confinement() {
+  static fs::path folder;
+  return folder;
+}
+
+std::string tooLong(std::size_t most) { return fmt::format("it has more than {} MiB", most >> 20); }
+
+/// Everything up to the end, or up to one byte too many.
+InputBytes bytesFrom(int file, std::size_t most) {
+  std::string bytes;
+  std::vector<char> piece(std::size_t{1} << 16);
+  while (true) {
+    const ssize_t count = ::read(file, piece.data(), piece.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return {std::nullopt, std::strerror(errno)};
+    if (count == 0) return {std::move(bytes)};
+    if (bytes.size() + static_cast<std::size_t>(count) > most) return {std::nullopt, tooLong(most)};
+    bytes.append(piece.data(), static_cast<std::size_t>(count));
+  }
+}
+
+InputBytes bytesFromDisk(const std::string& name, std::size_t most) {
+  const int file = ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return {std::nullopt, std::strerror(errno)};
+  struct stat status {};
+  InputBytes result;
+  if (::fstat(file, &status) != 0)
+    result.problem = std::strerror(errno);
+  else if (S_ISDIR(status.st_mode))
+    result.problem = "it is a folder";
+  else if (S_ISREG(status.st_mode) && static_cast<std::size_t>(status.st_size) > most)
+    result.problem = tooLong(most);
+  else
+    result = bytesFrom(file, most);
+  ::close(file);
+  if (!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) givenOnce()[name] = result;
+  return result;
+}
+
+/// A name that ends in ".PID.part", without that; and the process.
+std::optional<std::pair<std::string_view, pid_t>> splitPart(std::string_view name) {
+  constexpr std::string_view ending = ".part";
+  if (!name.ends_with(ending)) return std::nullopt;
+  name.remove_suffix(ending.size());
+  const std::size_t point = name.rfind('.');
+  pid_t process = 0;
+  if (point == std::string_view::npos) return std::nullopt;
+  const auto [end, error] = std::from_chars(name.data() + point + 1, name.data() + name.size(), process);
+  if (error != std::errc() || end != name.data() + name.size() || process <= 0) return std::nullopt;
+  return std::pair(name.substr(0, point), process);
+}
+
+/// Whether the process that wrote it is gone: no process here has its number, and nobody holds the file.
+bool isStale(const fs::path& part, pid_t process) {
+  if (process == ::getpid() || ::kill(process, 0) == 0 || errno != ESRCH) return false;
+  const int file = ::open(part.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  if (file < 0) return false;
+  struct stat status {};
+  const bool isOurs = ::fstat(file, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == ::geteuid();
+  const bool isFree = isOurs && ::flock(file, LOCK_EX | LOCK_NB) == 0;
+  ::close(file);
+  return isFree;
 }
 
 Failure failureOf(const std::string& name, const char* reason, std::string help = {}) {
@@ -127,8 +191,10 @@ std::optional<Failure> writeDirectly(const std::string& name, const PiecewiseTex
 /// Beside the target, then in its place. `old`: what stands there now, or nullptr.
 std::optional<Failure> replaceWhole(const std::string& name, const fs::path& target, const PiecewiseText& text,
                                     const struct stat* old) {
-  const std::string part = target.string() + fmt::format(".{}.part", ::getpid());
+  removeStaleParts(target.parent_path(), target.filename().string());
+  const std::string part = partOf(target.string());
   const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file >= 0) static_cast<void>(::flock(file, LOCK_EX | LOCK_NB));  // somebody writes: removeStaleParts() sees it
   if (file < 0) {
     // A folder in which nothing may be made can still hold a file that may be written.
     if (old != nullptr) return writeDirectly(target.string(), text, true);
@@ -170,17 +236,46 @@ void noteInput(const std::string& name) {
 std::vector<std::string> inputNames() { return inputs().names(); }
 
 const std::string& standardInput() {
-  std::optional<std::string>& text = givenInput();
-  if (!text) text.emplace(std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>());
-  return *text;
+  static const std::string nothing;
+  if (!givenOnce().contains(standardName)) givenOnce()[standardName] = bytesFrom(STDIN_FILENO, longestInput);
+  const InputBytes& given = givenOnce()[standardName];
+  return given.bytes ? *given.bytes : nothing;
 }
 
-void replaceStandardInput(std::string text) { givenInput() = std::move(text); }
+void replaceStandardInput(std::string text) { givenOnce()[standardName] = {std::move(text)}; }
 
 void forgetInputs() {
   inputs().clear();
-  givenInput().reset();
+  givenOnce().clear();
 }
+
+void confineInputs(const fs::path& folder) {
+  std::error_code error;
+  confinement() = folder.empty() ? folder : fs::weakly_canonical(fs::absolute(folder), error);
+}
+
+std::optional<std::string> confinedAgainst(const std::string& name) {
+  const fs::path& home = confinement();
+  if (home.empty()) return std::nullopt;
+  std::error_code error;
+  const fs::path place = fs::weakly_canonical(name, error);
+  const fs::path inside = place.lexically_relative(home);
+  if (!error && !inside.empty() && *inside.begin() != "..") return std::nullopt;
+  return fmt::format("it lies outside '{}', the folder that tools may read (--root)", home.string());
+}
+
+void removeStaleParts(const fs::path& folder, std::string_view name) {
+  std::error_code error;
+  const fs::path place = folder.empty() ? fs::path(".") : folder;
+  for (fs::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string part = entry->path().filename().string();
+    const auto split = splitPart(part);
+    if (split && (name.empty() || split->first == name) && isStale(entry->path(), split->second))
+      ::unlink(entry->path().c_str());
+  }
+}
+
+std::string partOf(const std::string& target) { return target + fmt::format(".{}.part", ::getpid()); }
 
 void holdText(const std::string& name, HeldText text) { heldTexts()[heldKey(name)] = std::move(text); }
 
@@ -194,16 +289,21 @@ const HeldText* heldText(const std::string& name) {
   return found == heldTexts().end() ? nullptr : &found->second;
 }
 
-std::optional<std::string> bytesOfInput(const std::string& name) {
+InputBytes inputBytes(const std::string& name, std::size_t most) {
+  if (const HeldText* held = heldText(name)) return {held->text};
+  if (const auto given = givenOnce().find(name); given != givenOnce().end()) return given->second;
+  if (name == standardName) return givenOnce()[name] = bytesFrom(STDIN_FILENO, most);
+  if (auto problem = confinedAgainst(name)) return {std::nullopt, *std::move(problem)};
+  noteInput(name);
+  return bytesFromDisk(name, most);
+}
+
+std::optional<std::string> bytesOfInput(const std::string& name) { return inputBytes(name).bytes; }
+
+std::optional<std::string> bytesOfConfiguration(const std::string& name) {
   if (const HeldText* held = heldText(name)) return held->text;
   noteInput(name);
-  std::ifstream stream(name, std::ios::binary);
-  std::error_code error;
-  if (!stream || fs::is_directory(name, error)) return std::nullopt;
-  std::ostringstream bytes;
-  bytes << stream.rdbuf();
-  if (stream.bad()) return std::nullopt;
-  return std::move(bytes).str();
+  return bytesFromDisk(name, longestInput).bytes;
 }
 
 std::string nameInProject(const std::string& name, const fs::path& root) {

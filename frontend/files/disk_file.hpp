@@ -15,10 +15,28 @@
 
 namespace rungproof {
 
-/// The bytes of a file or pipe, which counts as input from now on; nothing if it cannot be read.
+/// The longest input that is read: spans count bytes in 32 bits, and U+FFFD may triple a text. A program or a table is
+/// kept in several forms at once, a trace is not.
+inline constexpr std::size_t longestInput = std::size_t{1} << 30;
+inline constexpr std::size_t longestProgram = std::size_t{1} << 27;
+
+struct InputBytes {
+  std::optional<std::string> bytes;
+  std::string problem{};  ///< why there are none: "it has more than 128 MiB"
+};
+/// The bytes of a file, a pipe or, as "-", of standard input, which counts as input from now on. Whatever can be read
+/// only once is read once in a run and kept; no more than `most` bytes are taken from it.
+InputBytes inputBytes(const std::string& name, std::size_t most = longestInput);
+/// The same for who has nothing to say about the reason.
 std::optional<std::string> bytesOfInput(const std::string& name);
+/// The same for a configuration, which confineInputs() does not concern.
+std::optional<std::string> bytesOfConfiguration(const std::string& name);
 /// All of standard input; it is read once in a run.
 const std::string& standardInput();
+/// From now on only what lies below this folder behind all links is read; an empty name lifts that.
+void confineInputs(const std::filesystem::path& folder);
+/// Why a file or folder must not be read; nothing if it may be.
+std::optional<std::string> confinedAgainst(const std::string& name);
 /// What standardInput() gives from now on.
 void replaceStandardInput(std::string text);
 /// Notes a file that is read in another way.
@@ -53,6 +71,12 @@ bool fitsPattern(const std::string& name, const std::string& pattern);
 std::string pathInProject(const std::string& name, const std::filesystem::path& root);
 
 enum class InputFile : bool { Refuse, Replace };  ///< Replace: the input itself is to be changed
+
+/// Removes what an interrupted run left beside the file `target` (or, without a name, in the whole folder `target`):
+/// parts whose writer is gone.
+void removeStaleParts(const std::filesystem::path& folder, std::string_view name);
+/// The name of the file that becomes `target` when it is whole.
+std::string partOf(const std::string& target);
 
 /// Writes the whole text, or says why not. A regular file is replaced as a whole by one of the same mode and owner, at
 /// the place that links lead to; anything else (device, pipe, standard output by its name) is written to directly. What

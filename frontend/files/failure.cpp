@@ -8,9 +8,9 @@
 namespace rungproof {
 
 void print(std::ostream& err, const Failure& failure) {
-  err << "error: " << lineText(failure.message) << '\n';
-  if (!failure.place.empty()) err << "  --> " << lineText(failure.place) << '\n';
-  if (!failure.help.empty()) err << "  = help: " << lineText(failure.help) << '\n';
+  err << "error: " << messageText(failure.message) << '\n';
+  if (!failure.place.empty()) err << "  --> " << messageText(failure.place) << '\n';
+  if (!failure.help.empty()) err << "  = help: " << messageText(failure.help) << '\n';
 }
 
 }  // namespace rungproof

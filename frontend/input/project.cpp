@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "frontend/files/disk_file.hpp"
@@ -33,31 +31,6 @@ bool endsInAny(std::string_view name, std::initializer_list<std::string_view> en
 
 namespace {
 
-/// Spans count bytes in 32 bits, and U+FFFD may triple a text.
-constexpr std::size_t largestFile = std::size_t{1} << 30;
-
-bool readBytes(const std::string& path, std::string& bytes) {
-  if (path == "-") {
-    bytes = standardInput();
-    return true;
-  }
-  noteInput(path);
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) return false;
-  stream.seekg(0, std::ios::end);
-  const std::streamoff size = stream.tellg();
-  stream.seekg(0, std::ios::beg);
-  if (size < 0 || !stream) {  // a pipe, or a directory
-    stream.clear();
-    bytes.assign(std::istreambuf_iterator<char>(stream), {});
-    return !stream.bad() && !bytes.empty();
-  }
-  if (static_cast<std::size_t>(size) > largestFile) return false;
-  bytes.resize(static_cast<std::size_t>(size));
-  stream.read(bytes.data(), size);
-  return static_cast<bool>(stream) || size == 0;
-}
-
 class ProjectReader {
  public:
   explicit ProjectReader(const ReadOptions& options) : options_(options) {
@@ -66,12 +39,13 @@ class ProjectReader {
   }
 
   void addFile(const std::string& path, bool isSymbolFile) {
-    std::string bytes;
     const std::string name = path == "-" ? options_.stdinName : nameInProject(path, options_.root);
     if (const HeldText* held = heldText(path)) return addText(name, *held, isSymbolFile);
-    if (readBytes(path, bytes)) return addText(name, bytes, isSymbolFile);
+    const InputBytes input = inputBytes(path, longestProgram);
+    if (input.bytes) return addText(name, *input.bytes, isSymbolFile);
     const std::uint32_t file = program_.sources->add(name, "");
-    SyntaxSink(program_, file).report(Syntax::FileUnreadable, {file, 0, 0}, fmt::format("cannot read {}", name));
+    SyntaxSink(program_, file)
+        .report(Syntax::FileUnreadable, {file, 0, 0}, fmt::format("cannot read {}: {}", name, input.problem));
   }
 
   void addText(std::string name, std::string_view bytes, bool isSymbolFile) {

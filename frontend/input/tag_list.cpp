@@ -259,10 +259,11 @@ TagType tagTypeNamed(std::string_view text) {
 std::vector<PanelTag> readTagText(const Program& program, std::uint32_t file) { return TagReader(program, file).run(); }
 
 std::vector<PanelTag> readTagList(Program& program, const std::string& file, TextEncoding encoding) {
-  const std::optional<std::string> bytes = bytesOfInput(file);
+  const auto& [bytes, problem] = inputBytes(file, longestProgram);
   const std::uint32_t index = program.sources->add(file, bytes ? decode(*bytes, encoding).text : std::string());
   if (bytes) return readTagText(program, index);
-  SyntaxSink(program, index).report(Syntax::FileUnreadable, {index, 0, 0}, fmt::format("cannot read {}", file));
+  SyntaxSink(program, index)
+      .report(Syntax::FileUnreadable, {index, 0, 0}, fmt::format("cannot read {}: {}", file, problem));
   return {};
 }
 

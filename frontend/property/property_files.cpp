@@ -5,8 +5,8 @@
 
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/encoding.hpp"
+#include "frontend/property/goal_names.hpp"
 #include "frontend/property/property_message.hpp"
-#include "frontend/property/property_reader.hpp"
 
 namespace rungproof {
 
@@ -34,20 +34,28 @@ void report(Program& program, std::uint32_t file, std::string message, std::stri
 
 }  // namespace
 
+void readPropertyText(std::uint32_t file, std::string_view text, std::uint32_t offset, const OperandLookup& lookup,
+                      PropertySet& set, std::vector<Finding>& findings, const Target* target) {
+  GoalNames names;
+  readPropertyText(file, text, offset, lookup, set, findings, target, names);
+}
+
 PropertySet readProperties(Program& program, const std::vector<std::string>& files, const OperandLookup& lookup,
                            const std::filesystem::path& root) {
   PropertySet set;
+  GoalNames names;
   for (const Directive& directive : program.directives) {
     // The comment's sign stands before the statement.
     const std::size_t before = program.sources->text(directive.span).find(directive.text);
     const std::size_t begin = directive.span.offset + (before == std::string_view::npos ? 0 : before);
     readPropertyText(directive.span.file, directive.text, static_cast<std::uint32_t>(begin), lookup, set,
-                     program.findings, &program.target);
+                     program.findings, &program.target, names);
   }
   for (const std::string& name : files) {
-    const std::optional<std::string> content = bytesOfInput(name);
+    const auto& [content, problem] = inputBytes(name, longestProgram);
     if (!content) {
-      report(program, program.sources->add(name, ""), fmt::format("cannot open the property file '{}'", name),
+      report(program, program.sources->add(name, ""),
+             fmt::format("cannot open the property file '{}': {}", name, problem),
              "check the name given to --props, and that it is a file");
       set.unread.push_back({fmt::format("all of '{}'", name), program.findings.back().span});
       continue;
@@ -58,7 +66,7 @@ PropertySet readProperties(Program& program, const std::vector<std::string>& fil
     if (declaresNothing(text))
       report(program, file, fmt::format("the property file '{}' declares nothing", name),
              "write for example: prove no_shoot_through: never Q0.0 and Q0.1");
-    readPropertyText(file, text, 0, lookup, set, program.findings, &program.target);
+    readPropertyText(file, text, 0, lookup, set, program.findings, &program.target, names);
   }
   return set;
 }

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "frontend/property/external_range.hpp"
+#include "frontend/property/goal_names.hpp"
 #include "frontend/property/property_lexer.hpp"
 #include "frontend/property/property_message.hpp"
 #include "frontend/property/property_types.hpp"
@@ -46,8 +46,9 @@ std::string lower(std::string_view text) {
 class Parser {
  public:
   /// `target`: the CPU whose addresses exist, or nullptr.
-  Parser(std::vector<Token> tokens, const OperandLookup& lookup, const Target* target, std::string_view text)
-      : tokens_(std::move(tokens)), lookup_(lookup), target_(target), text_(text) {}
+  Parser(std::vector<Token> tokens, const OperandLookup& lookup, const Target* target, std::string_view text,
+         GoalNames& names)
+      : tokens_(std::move(tokens)), lookup_(lookup), target_(target), text_(text), names_(names) {}
 
   void statement(PropertySet& set) {
     bool everyInstruction = false;
@@ -121,9 +122,7 @@ class Parser {
     }
     take();
     if (text.empty()) text = fmt::format("property {}", set.properties.size() + 1);
-    const auto same = std::find_if(set.properties.begin(), set.properties.end(),
-                                   [&](const Property& p) { return p.name == text && p.isGoal(); });
-    if (same != set.properties.end())
+    if (names_.isTaken(text, set))
       throw Mistake{nameRule, span, fmt::format("the name '{}' is already taken", text),
                     "give each property its own name"};
     property.name = text;
@@ -561,6 +560,7 @@ class Parser {
   const OperandLookup& lookup_;
   const Target* target_;
   std::string_view text_;
+  GoalNames& names_;
   std::vector<std::string> remarks_;
   std::pair<std::uint32_t, std::uint32_t>
       premise_{};  ///< offsets around the left side of an implication; the outermost is left here
@@ -571,7 +571,7 @@ class Parser {
 }  // namespace
 
 void readPropertyText(std::uint32_t file, std::string_view text, std::uint32_t offset, const OperandLookup& lookup,
-                      PropertySet& set, std::vector<Finding>& findings, const Target* target) {
+                      PropertySet& set, std::vector<Finding>& findings, const Target* target, GoalNames& names) {
   std::size_t begin = 0;
   while (begin <= text.size()) {
     const std::size_t stop = std::min(text.find('\n', begin), text.size());
@@ -581,7 +581,7 @@ void readPropertyText(std::uint32_t file, std::string_view text, std::uint32_t o
       const std::size_t last =
           tokens[tokens.size() - 2].span.offset + tokens[tokens.size() - 2].span.length - (offset + begin);
       try {
-        Parser(std::move(tokens), lookup, target, line.substr(0, last)).statement(set);
+        Parser(std::move(tokens), lookup, target, line.substr(0, last), names).statement(set);
       } catch (const Mistake& mistake) {
         Finding finding;
         finding.rule = mistake.rule;

@@ -16,19 +16,20 @@ void write(const Report& report, const ReportStyle& style, std::ostream& out) {
   const Paint paint{style.color};
   for (const Finding& finding : report.findings) {
     const std::string head = fmt::format("{}[{}]", severityName(finding.severity), finding.rule);
-    out << fmt::format("{}: {} {}{}\n", lineText(placeText(*report.sources, finding.span)),
+    out << fmt::format("{}: {} {}{}\n", messageText(placeText(*report.sources, finding.span)),
                        finding.severity == Severity::Error ? paint.red(head) : paint.yellow(head),
-                       lineText(finding.message),
+                       messageText(finding.message),
                        finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)" : "");
   }
   for (const PropertyResult& property : report.properties) {
     const std::string place = property.span ? placeText(*report.sources, *property.span) + ": " : std::string();
-    out << fmt::format("{}{} {}{}\n", lineText(place), verdictText(property.verdict, property.depth),
-                       lineText(property.title()), property.trace.empty() ? "" : " (" + lineText(property.trace) + ")");
+    out << fmt::format("{}{} {}{}\n", messageText(place), verdictText(property.verdict, property.depth),
+                       messageText(property.title()),
+                       property.trace.empty() ? "" : " (" + messageText(property.trace) + ")");
   }
   if (report.comparison && report.comparison->isOfPrograms())
     out << report.comparison->verdict << (report.comparison->equal ? "\n" : " ");
-  if (report.comparison && !report.comparison->equal) out << lineText(differenceText(*report.comparison)) << '\n';
+  if (report.comparison && !report.comparison->equal) out << messageText(differenceText(*report.comparison)) << '\n';
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ class HumanWriter {
     if (report_.selfCheck) writeSelfCheck(*report_.selfCheck);
     const bool isOfPrograms = report_.comparison && report_.comparison->isOfPrograms();
     if (!report_.properties.empty() || isOfPrograms) writeBasis();
-    for (const std::string& line : report_.coverage.leftOut) out_ << fmt::format("left out: {}\n", lineText(line));
+    for (const std::string& line : report_.coverage.leftOut) out_ << fmt::format("left out: {}\n", messageText(line));
     if (style_.verbose && report_.techniques) writeTechniques(*report_.techniques);
     if (isOfPrograms) out_ << verdictLine(*report_.comparison) << '\n';
     const bool saidAll = report_.comparison && report_.findings.empty() && report_.properties.empty();
@@ -58,9 +58,9 @@ class HumanWriter {
     const bool isEmpty = file.text().empty();  // a file that could not be read has no lines
     text.append(static_cast<std::size_t>(gutter), ' ');
     paint(text, &Paint::blue, "-->");
-    text.append(" ").append(lineText(file.name()));
+    text.append(" ").append(messageText(file.name()));
     if (!isEmpty) text.append(":").append(std::to_string(at.line)).append(":").append(std::to_string(at.column));
-    text.append(lineText(context)).append("\n");
+    text.append(messageText(context)).append("\n");
     if (!isEmpty) text += drawExcerpt(excerptOf(file, span, at.line), gutter, mark, paint_, painter);
   }
   void writePlace(Span span, int gutter, std::string_view context, char mark, Painter painter) {
@@ -77,7 +77,7 @@ class HumanWriter {
     head.append("[").append(finding.rule.view()).append("]");
     paint(text, painter, head);
     text += ": ";
-    paint(text, &Paint::bold, lineText(finding.message));
+    paint(text, &Paint::bold, messageText(finding.message));
     text += finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)\n" : "\n";
     std::vector<Position> places;
     for (const RelatedPlace& related : finding.related)
@@ -93,7 +93,7 @@ class HumanWriter {
       const RelatedPlace& related = finding.related[i];
       if (!hasPlace(related.span)) continue;
       paint(text, &Paint::cyan, "note");
-      text.append(": ").append(lineText(related.message)).append("\n");
+      text.append(": ").append(messageText(related.message)).append("\n");
       addPlace(text, related.span, places[i], gutter, "", '-', &Paint::blue);
     }
     const auto remark = [&](std::string_view what) -> std::string& {
@@ -101,15 +101,15 @@ class HumanWriter {
       paint(text, &Paint::blue, "=");
       return text.append(" ").append(what);
     };
-    if (!finding.help.empty()) remark("help: ").append(lineText(finding.help)).append("\n");
+    if (!finding.help.empty()) remark("help: ").append(messageText(finding.help)).append("\n");
     if (finding.fix) {
       remark("fix").append(finding.fix->safe ? "" : " (unsafe, with --unsafe-fixes)").append(": ");
       if (finding.fix->replacement.empty())
         text += "remove it\n";
       else
-        text.append("write '").append(lineText(finding.fix->replacement)).append("'\n");
+        text.append("write '").append(messageText(finding.fix->replacement)).append("'\n");
     }
-    if (!finding.trace.empty()) remark("trace: ").append(lineText(finding.trace)).append("\n");
+    if (!finding.trace.empty()) remark("trace: ").append(messageText(finding.trace)).append("\n");
     text += '\n';
     out_ << text;
   }
@@ -127,18 +127,19 @@ class HumanWriter {
                      property.verdict == Outcome::Vacuous;
     const Painter painter = good ? &Paint::green : bad ? &Paint::red : &Paint::yellow;
     out_ << fmt::format("{}  {}", (paint_.*painter)(verdictText(property.verdict, property.depth)),
-                        paint_.bold(lineText(property.title())));
+                        paint_.bold(messageText(property.title())));
     if (!property.method.empty()) out_ << fmt::format("  by {}", property.method);
     out_ << fmt::format("  in {:.2f} s\n", property.seconds);
     if (property.span && hasPlace(*property.span)) {
       writePlace(*property.span, digits(report_.sources->position(*property.span).line), "", '^', painter);
     }
-    for (const std::string& note : property.notes) out_ << fmt::format("  {} {}\n", paint_.blue("="), lineText(note));
+    for (const std::string& note : property.notes)
+      out_ << fmt::format("  {} {}\n", paint_.blue("="), messageText(note));
     for (const std::string& assumption : property.assumptions)
-      out_ << fmt::format("  {} assumes: {}\n", paint_.blue("="), lineText(assumption));
+      out_ << fmt::format("  {} assumes: {}\n", paint_.blue("="), messageText(assumption));
     if (!property.networks.empty())
-      out_ << fmt::format("  {} rests on networks: {}\n", paint_.blue("="), lineText(property.networks));
-    if (!property.trace.empty()) out_ << fmt::format("  {} trace: {}\n", paint_.blue("="), lineText(property.trace));
+      out_ << fmt::format("  {} rests on networks: {}\n", paint_.blue("="), messageText(property.networks));
+    if (!property.trace.empty()) out_ << fmt::format("  {} trace: {}\n", paint_.blue("="), messageText(property.trace));
     for (const ShownScan& scan : property.scans) writeScan(scan);
     if (!property.scans.empty() && !property.scans.back().networks.empty() &&
         !property.scans.back().networks.back().text.empty())
@@ -153,7 +154,7 @@ class HumanWriter {
         out_ << fmt::format("\n  {}\n",
                             paint_.bold(fmt::format("scan {}, {} ms", scan.scan, plainNumber(scan.timeMs))));
       isFirst = false;
-      out_ << fmt::format("  {}\n", lineText(network.heading));
+      out_ << fmt::format("  {}\n", messageText(network.heading));
       for (const std::string& line : network.text) out_ << fmt::format("  {}\n", line);
     }
   }
@@ -171,7 +172,7 @@ class HumanWriter {
         if (fault.fate != fate) continue;
         out_ << fmt::format("  {}: {}:{} in {}, network {}: {}: {}{}\n",
                             (paint_.*(fate == "unnoticed" ? &Paint::red : &Paint::yellow))(fate), fault.file,
-                            fault.line, lineText(fault.pou), fault.network, fault.kind, lineText(fault.text),
+                            fault.line, messageText(fault.pou), fault.network, fault.kind, messageText(fault.text),
                             fault.differs.empty() ? "" : "; other value of " + fault.differs);
       }
     }
@@ -191,9 +192,9 @@ class HumanWriter {
   void writeBasis() {
     out_ << '\n';
     for (const std::string& assumption : report_.assumptions)
-      out_ << fmt::format("assumes: {}\n", lineText(assumption));
+      out_ << fmt::format("assumes: {}\n", messageText(assumption));
     for (const std::string& place : report_.coverage.approximated)
-      out_ << fmt::format("approximated: {}\n", lineText(place));
+      out_ << fmt::format("approximated: {}\n", messageText(place));
   }
 
   /// The last line of a comparison of programs.
@@ -208,10 +209,11 @@ class HumanWriter {
 
   void writeProgramComparison(const Comparison& comparison) {
     if (comparison.verdict == "DIFFERENT")
-      out_ << fmt::format("{} {}\n", paint_.red("first difference:"), lineText(differenceText(comparison)));
-    for (const std::string& note : comparison.notes) out_ << fmt::format("  {} {}\n", paint_.blue("="), lineText(note));
+      out_ << fmt::format("{} {}\n", paint_.red("first difference:"), messageText(differenceText(comparison)));
+    for (const std::string& note : comparison.notes)
+      out_ << fmt::format("  {} {}\n", paint_.blue("="), messageText(note));
     if (!comparison.trace.empty())
-      out_ << fmt::format("  {} trace: {}\n", paint_.blue("="), lineText(comparison.trace));
+      out_ << fmt::format("  {} trace: {}\n", paint_.blue("="), messageText(comparison.trace));
     for (const ShownScan& scan : comparison.scans) writeScan(scan);
   }
 
@@ -224,7 +226,7 @@ class HumanWriter {
       out_ << "traces agree\n";
       return;
     }
-    out_ << fmt::format("{} {}\n", paint_.red("first difference:"), lineText(differenceText(comparison)));
+    out_ << fmt::format("{} {}\n", paint_.red("first difference:"), messageText(differenceText(comparison)));
     if (comparison.around.empty()) return;
     std::vector<std::size_t> widths;
     for (std::size_t i = 0; i < comparison.signals.size(); ++i) {

@@ -70,7 +70,11 @@ class Reader {
     if (auto failure = readTexts(*info, node, texts)) return failure;
     for (std::string& text : texts) {
       if (auto failure = checkValue(*info, text)) return at(node.source(), *failure);
-      if (info->value == "FILE" || info->value == "DIR") text = placed(text);
+      if (info->id == Opt::Cache) {
+        if (auto failure = placeInside(text, "the folder", "--cache")) return at(node.source(), *failure);
+      } else if (info->value == "FILE" || info->value == "DIR") {
+        text = placed(text);
+      }
       if (info->id != Opt::Format) continue;
       if (auto failure = placeOutput(text)) return at(node.source(), *failure);
     }
@@ -103,21 +107,28 @@ class Reader {
     return std::nullopt;
   }
 
-  /// A configuration comes with a project, and a project must not write elsewhere: the file of NAME=FILE is taken from
-  /// the configuration's folder and must lie in it, links followed.
+  /// A configuration comes with a project, and a project must not write elsewhere: what is written is taken from the
+  /// configuration's folder and must lie in it, links followed.
+  std::optional<Failure> placeInside(std::string& name, std::string_view what, std::string_view option) const {
+    std::error_code error;
+    const fs::path target = behindLinks(folder_ / name), home = fs::weakly_canonical(folder_, error);
+    const auto [end, rest] = std::mismatch(home.begin(), home.end(), target.begin(), target.end());
+    if (error || end != home.end() || rest == target.end())
+      return Failure{fmt::format("{} '{}' lies outside the folder of this configuration", what, name),
+                     {},
+                     fmt::format("name one in it, or give {} on the command line", option)};
+    const fs::path nearer = fs::proximate(target, error);
+    name = (error || nearer.empty() ? target : nearer).string();
+    return std::nullopt;
+  }
+
+  /// The file of NAME=FILE.
   std::optional<Failure> placeOutput(std::string& format) const {
     const std::size_t sign = format.find('=');
     if (sign == std::string::npos || sign + 1 == format.size()) return std::nullopt;
-    const std::string file = format.substr(sign + 1);
-    std::error_code error;
-    const fs::path target = behindLinks(folder_ / file), home = fs::weakly_canonical(folder_, error);
-    const auto [end, rest] = std::mismatch(home.begin(), home.end(), target.begin(), target.end());
-    if (error || end != home.end() || rest == target.end())
-      return Failure{fmt::format("the output file '{}' lies outside the folder of this configuration", file),
-                     {},
-                     "name a file in it, or give --format on the command line"};
-    const fs::path nearer = fs::proximate(target, error);
-    format = format.substr(0, sign + 1) + (error || nearer.empty() ? target : nearer).string();
+    std::string file = format.substr(sign + 1);
+    if (auto failure = placeInside(file, "the output file", "--format")) return failure;
+    format = format.substr(0, sign + 1) + file;
     return std::nullopt;
   }
 
@@ -260,7 +271,10 @@ std::optional<Failure> readLayer(const fs::path& file, Settings& settings, int d
   std::error_code error;
   const fs::path nearer = fs::proximate(file, error);
   const std::string name = error || nearer.empty() ? file.string() : nearer.string();
-  const std::optional<std::string> text = bytesOfInput(file.string());
+  // The configuration itself may lie above the folder that tools may read; what it names may not.
+  if (auto problem = depth > 0 ? confinedAgainst(file.string()) : std::nullopt)
+    return Failure{"the configuration file cannot be read: " + *problem, name};
+  const std::optional<std::string> text = bytesOfConfiguration(file.string());
   if (!text) return Failure{"the configuration file cannot be read", name};
   const toml::parse_result result = toml::parse(*text);
   if (!result) {

@@ -13,7 +13,6 @@ namespace rungproof {
 
 namespace {
 
-constexpr std::size_t scansAround = 3;
 constexpr std::size_t columnsAround = 8;
 
 std::string cellText(const std::optional<double>& value, const TraceSignal& signal) {
@@ -44,6 +43,7 @@ Comparison comparisonOf(const Trace& expected, const Trace& actual, const std::o
   const std::vector<std::size_t> columns = columnsShown(expected, difference->expectedSignal);
   for (const std::size_t i : columns) result.signals.push_back(expected.signals[i].name);
   if (actual.rows.empty()) return result;
+  const SignalIndex index(actual);
   const std::size_t middle = difference->actualRow.value_or(actual.rows.size() - 1);
   const std::size_t first = middle >= scansAround ? middle - scansAround : 0;
   const std::size_t last = std::min(middle + scansAround, actual.rows.size() - 1);
@@ -55,7 +55,7 @@ Comparison comparisonOf(const Trace& expected, const Trace& actual, const std::o
       return matchingRow(expected, row, actual) == std::optional<std::size_t>(a);
     });
     for (const std::size_t i : columns) {
-      const int other = actual.indexOf(expected.signals[i]);
+      const int other = index.indexOf(expected.signals[i]);
       const TraceSignal& signal = other < 0 ? expected.signals[i] : actual.signals[static_cast<std::size_t>(other)];
       scan.expected.push_back(wanted == expected.rows.end() ? "" : cellText(wanted->values[i], signal));
       scan.actual.push_back(other < 0 ? "" : cellText(actual.rows[a].values[static_cast<std::size_t>(other)], signal));

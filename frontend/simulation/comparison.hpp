@@ -12,6 +12,9 @@
 
 namespace rungproof {
 
+/// Scans on either side of a difference that are shown.
+inline constexpr std::size_t scansAround = 3;
+
 Comparison comparisonOf(const Trace& expected, const Trace& actual, const std::optional<TraceDifference>& difference);
 
 /// Whether some cell has a value: a trace without any agrees with everything.

@@ -2,6 +2,7 @@
 #include "frontend/simulation/expected_lanes.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace rungproof {
 
@@ -15,6 +16,9 @@ TraceBeside besideExpected(const Trace& expected, const Trace& actual, const Com
   result.trace.signals.clear();
   for (TraceRow& row : result.trace.rows) row.values.clear();
   std::vector<std::size_t> lanes(expected.signals.size());  // of each expected signal
+  const SignalIndex index(actual);
+  std::map<int, std::size_t> wantedOf;  // of each signal the first that expects something of it
+  for (std::size_t k = 0; k < expected.signals.size(); ++k) wantedOf.try_emplace(index.indexOf(expected.signals[k]), k);
   for (std::size_t i = 0; i < actual.signals.size(); ++i) {
     const auto add = [&](const TraceSignal& signal, int of) {
       result.trace.signals.push_back(signal);
@@ -23,10 +27,9 @@ TraceBeside besideExpected(const Trace& expected, const Trace& actual, const Com
     add(actual.signals[i], -1);
     for (std::size_t r = 0; r < actual.rows.size(); ++r)
       result.trace.rows[r].values.push_back(actual.rows[r].values[i]);
-    const auto wanted = std::ranges::find_if(
-        expected.signals, [&](const TraceSignal& signal) { return actual.indexOf(signal) == static_cast<int>(i); });
-    if (wanted == expected.signals.end()) continue;
-    const auto column = static_cast<std::size_t>(wanted - expected.signals.begin());
+    const auto wanted = wantedOf.find(static_cast<int>(i));
+    if (wanted == wantedOf.end()) continue;
+    const std::size_t column = wanted->second;
     TraceSignal signal = actual.signals[i];
     signal.symbol = "expected";
     lanes[column] = result.trace.signals.size();

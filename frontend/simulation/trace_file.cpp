@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <istream>
 #include <ostream>
 #include <sstream>
@@ -18,15 +19,22 @@ constexpr std::size_t mostFailures = 10;
 std::optional<std::string> readFile(const Context& context, const std::string& name, std::vector<Failure>& failures) {
   std::optional<std::string> text;
   if (name == "-") {
-    std::ostringstream given;
-    given << context.in.rdbuf();
-    text = std::move(given).str();
-  } else {
-    text = bytesOfInput(name);
-    if (!text) {
-      failures.push_back({fmt::format("'{}' cannot be read", name), {}, "check the name and the permissions"});
+    text.emplace();
+    std::array<char, 65536> piece;
+    while (text->size() <= longestInput && (context.in.read(piece.data(), piece.size()) || context.in.gcount() > 0))
+      text->append(piece.data(), static_cast<std::size_t>(context.in.gcount()));
+    if (text->size() > longestInput) {
+      failures.push_back({"standard input cannot be read: it is too long", {}, "give a shorter table"});
       return std::nullopt;
     }
+  } else {
+    InputBytes input = inputBytes(name);
+    if (!input.bytes) {
+      failures.push_back(
+          {fmt::format("'{}' cannot be read: {}", name, input.problem), {}, "check the name and the permissions"});
+      return std::nullopt;
+    }
+    text = std::move(input.bytes);
   }
   const bool isUtf16 = text->starts_with("\xFF\xFE") || text->starts_with("\xFE\xFF");
   if (!isUtf16 && text->find('\0') != std::string::npos) {

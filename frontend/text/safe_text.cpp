@@ -104,6 +104,17 @@ std::string lineText(std::string_view text) {
   return result;
 }
 
+std::string messageText(std::string_view text) {
+  constexpr std::size_t longest = 2000, beginning = 1500, end = 300;  // bytes
+  if (text.size() <= longest) return lineText(text);
+  const auto isTail = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U; };
+  std::size_t first = beginning, last = text.size() - end;
+  while (first > 0 && isTail(first)) --first;
+  while (last < text.size() && isTail(last)) ++last;
+  return fmt::format("{} ... {} bytes more ... {}", lineText(text.substr(0, first)), last - first,
+                     lineText(text.substr(last)));
+}
+
 std::string xmlText(std::string_view text) {
   std::string result;
   result.reserve(text.size());

@@ -18,6 +18,8 @@ bool isHazard(char32_t c);
 std::string visibleText(std::string_view text);
 /// The same on one line: line feeds are pictures too.
 std::string lineText(std::string_view text);
+/// lineText() of a message, whose middle is left out where it is too long to be read: a name may have megabytes.
+std::string messageText(std::string_view text);
 /// The same for XML, SVG and HTML: as characters of an element or of an attribute in double quotes.
 std::string xmlText(std::string_view text);
 /// The data of a workflow command of GitHub Actions, or the value of one of its properties.

@@ -48,12 +48,32 @@ TEST(Tool, LintNamesRuleAndPlace) {
 TEST(Tool, LintTakesAPathAndOptions) {
   const TemporaryFolder folder;
   const std::string file = folder.file("p.awl", "Network 1\nLD SM0.0\nMOVW 1, VW3000\n");
-  AssistantSession session;
+  AssistantSession session({"--root", folder.folder().string()});
   // The V memory of the CPU 221 ends with VB2047 (001:2697), that of the 226 with VB10239.
   EXPECT_TRUE(contains(toolText(session.call("lint", {{"path", file}, {"cpu", "221"}})), "ADR001"));
   EXPECT_FALSE(contains(toolText(session.call("lint", {{"path", file}})), "ADR001"));
   EXPECT_FALSE(
       contains(toolText(session.call("lint", {{"path", file}, {"cpu", "221"}, {"ignore", "ADR001"}})), "ADR001"));
+}
+
+// An assistant may be told by a text that it reads to look at other files of the user.
+TEST(Tool, NothingOutsideTheRootIsRead) {
+  const TemporaryFolder folder;
+  const std::string secret = folder.file("secret.awl", "Network 1\nLD I0.0\n= Q9.9 // secret\n");
+  folder.file("project/p.awl", "Network 1\nLD I0.0\n= Q0.0\n");
+  std::filesystem::create_symlink(secret, folder.path("project/link.awl"));
+  folder.file("project/deep/rungproof.toml", "extend = \"../../secret.awl\"\n");
+  folder.file("project/deep/p.awl", "Network 1\nLD I0.0\n= Q0.0\n");
+  folder.file("project/table/rungproof.toml", "symbols = [\"../../secret.awl\"]\n");
+  folder.file("project/table/p.awl", "Network 1\nLD I0.0\n= Q0.0\n");
+  AssistantSession session({"--root", folder.path("project")});
+  EXPECT_FALSE(at(session.call("lint", {{"path", folder.path("project/p.awl")}}), "isError").isTrue());
+  for (const char* name : {"secret.awl", "project/../secret.awl", "project/link.awl", "", "project/deep/p.awl",
+                           "project/table/p.awl", "project"}) {
+    const std::string answer = session.call("lint", {{"path", folder.path(name)}}).dump();
+    EXPECT_TRUE(contains(answer, "lies outside")) << name << ": " << answer;
+    EXPECT_FALSE(contains(answer, "Q9.9")) << name << ": " << answer;
+  }
 }
 
 TEST(Tool, ProveSaysProvedOrShowsTheRun) {
@@ -113,7 +133,8 @@ TEST(Tool, ErrorsAreResultsWithTheMessageOfTheTool) {
     EXPECT_TRUE(at(result, "isError").isTrue()) << result.dump(1);
     return toolText(result);
   };
-  EXPECT_TRUE(contains(errorOf("lint", {{"path", "/nowhere/p.awl"}}), "cannot read"));
+  EXPECT_TRUE(contains(errorOf("lint", {{"path", "/nowhere/p.awl"}}), "lies outside"));
+  EXPECT_TRUE(contains(errorOf("lint", {{"path", "nowhere.awl"}}), "cannot read"));
   EXPECT_TRUE(contains(errorOf("lint", {{"program", "Network 1\nLD I0.0\n= Q0.0\n"}, {"cpu", "227"}}), "227"));
   EXPECT_TRUE(contains(errorOf("prove", {{"program", "Network 1\nLD I0.0\n= Q0.0\n"}}), "no property"));
   EXPECT_TRUE(contains(errorOf("lint", Json::object()), "give the program"));

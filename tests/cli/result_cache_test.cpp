@@ -3,6 +3,7 @@
 #include "frontend/result_cache.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -69,6 +70,60 @@ class ResultCacheTest : public testing::Test {
   test::TemporaryFolder folder_;
   std::optional<std::string> before_;
 };
+
+// A checked-out project says where results are kept: not outside it, and not where a link in the folder leads.
+TEST_F(ResultCacheTest, AConfigurationKeepsNothingOutsideItsProject) {
+  const test::TemporaryFolder outside;
+  folder_.file("project/press.awl", "//@ prove off: Q0.0 implies I0.0\nNetwork 1\nLD I0.0\n= Q0.0\n");
+  fs::create_directory_symlink(outside.folder(), folder_.path("project/link"));
+  for (const std::string& place : {std::string("../made"), outside.path("made"), std::string("link"),
+                                   std::string("link/made"), std::string("/")}) {
+    folder_.file("project/rungproof.toml", "cache = \"" + place + "\"\n");
+    std::istringstream in;
+    std::ostringstream out, err;
+    EXPECT_EQ(runProgram({"prove", folder_.path("project/press.awl")}, {in, out, err}), 2) << place;
+    EXPECT_NE(err.str().find("lies outside the folder of this configuration"), std::string::npos) << err.str();
+  }
+  EXPECT_FALSE(fs::exists(folder_.path("made")));
+  EXPECT_TRUE(fs::is_empty(outside.folder()));
+  folder_.file("project/rungproof.toml", "cache = \"kept\"\n");
+  std::istringstream in;
+  std::ostringstream out, err;
+  EXPECT_EQ(runProgram({"prove", folder_.path("project/press.awl")}, {in, out, err}), 0) << err.str();
+  EXPECT_TRUE(fs::is_directory(folder_.path("project/kept")));
+}
+
+TEST_F(ResultCacheTest, AnEntryIsNeverWrittenThroughALink) {
+  prove();
+  ASSERT_EQ(entries().size(), 1U);
+  const fs::path entry = entries().front();
+  const std::string victim = folder_.file("victim", "untouched");
+  fs::remove(entry);
+  fs::create_symlink(victim, entry);
+  EXPECT_EQ(prove().exit, 0);
+  EXPECT_EQ(content(victim), "untouched");
+  EXPECT_FALSE(fs::is_symlink(entry)) << "the link is replaced";
+}
+
+TEST_F(ResultCacheTest, AFolderOpenToAllKeepsNothing) {
+  fs::create_directories(cache());
+  fs::permissions(cache(), fs::perms::all);
+  const Run run = prove();
+  EXPECT_EQ(run.exit, 0);
+  EXPECT_NE(run.err.find("results are not kept: everybody may write"), std::string::npos) << run.err;
+  EXPECT_TRUE(entries().empty());
+}
+
+// What came through a pipe cannot be compared with what comes next time.
+TEST_F(ResultCacheTest, WhatCameThroughAPipeIsNotKept) {
+  const std::string pipe = folder_.path("pipe.prop");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::thread writer([&] { std::ofstream(pipe) << "prove piped: Q0.0 implies I0.0\n"; });
+  const Run run = prove({"--props", pipe});
+  writer.join();
+  EXPECT_EQ(run.exit, 0) << run.err;
+  EXPECT_TRUE(entries().empty());
+}
 
 // The times of the properties are in the text: two runs that both prove do not print the same.
 TEST_F(ResultCacheTest, IsRepeatedWhileNothingChanges) {
