@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
+#include <tuple>
 
 namespace rungproof {
 
@@ -20,14 +22,23 @@ std::string small(std::string_view text) {
   return result;
 }
 
-void addLocation(const CheckedDocument& document, Span span, Json& list) {
-  Json location = document.location(span);
-  const std::string text = location.dump();
-  for (const Json& known : list.items()) {
-    if (known.dump() == text) return;
+/// Places, each once.
+class Places {
+ public:
+  explicit Places(const CheckedDocument& document) : document_(document) {}
+
+  const CheckedDocument& document() const { return document_; }
+  void add(Span span) {
+    if (added_.emplace(span.file, span.offset, span.length).second) list_.push_back(document_.location(span));
   }
-  list.push_back(std::move(location));
-}
+  bool empty() const { return list_.empty(); }
+  Json take() { return std::move(list_); }
+
+ private:
+  const CheckedDocument& document_;
+  std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> added_;
+  Json list_ = Json::array();
+};
 
 void eachInstruction(const Program& program,
                      const std::function<void(const Pou&, const Network&, const Instruction&)>& visit) {
@@ -48,32 +59,34 @@ Span headingOf(const CheckedDocument& document, Span span) {
   return {span.file, span.offset, std::min(std::max(end, span.offset) - span.offset, span.length)};
 }
 
-void addRoutine(const CheckedDocument& document, const Cursor& cursor, Json& list) {
+void addRoutine(const Cursor& cursor, Places& places) {
+  const CheckedDocument& document = places.document();
   const auto number = static_cast<int>(cursor.operand->value);
   const Program& program = document.program();
   if (cursor.routine() == Type::Label) {
     eachInstruction(program, [&](const Pou& pou, const Network&, const Instruction& instruction) {
       if (&pou == cursor.pou && isLabel(instruction) && instruction.operands[0].value == number)
-        addLocation(document, instruction.span, list);
+        places.add(instruction.span);
     });
     return;
   }
   const Pou* const pou = cursor.routine() == Type::Subroutine ? program.subroutine(number) : program.interrupt(number);
-  if (pou != nullptr) addLocation(document, headingOf(document, pou->span), list);
+  if (pou != nullptr) places.add(headingOf(document, pou->span));
 }
 
-void addDeclarations(const CheckedDocument& document, const Cursor& cursor, Json& list) {
+void addDeclarations(const Cursor& cursor, Places& places) {
+  const CheckedDocument& document = places.document();
   const Operand& operand = *cursor.operand;
   if (cursor.pou != nullptr && operand.area == Area::L) {
     for (const LocalVariable& local : cursor.pou->locals) {
       if (local.address.offset == operand.offset && local.address.bit == operand.bit &&
           local.address.width == operand.width)
-        addLocation(document, local.span, list);
+        places.add(local.span);
     }
   }
   const Symbol* const named = operand.text.empty() ? nullptr : document.facts().symbolNamed(operand.text);
   const Symbol* const symbol = named != nullptr ? named : document.facts().symbolOf(operand);
-  if (symbol != nullptr) addLocation(document, symbol->span, list);
+  if (symbol != nullptr) places.add(symbol->span);
 }
 
 /// The place of an access: its operand, or the instruction where no operand shows it.
@@ -89,7 +102,8 @@ bool isAddress(const Cursor& cursor) {
          (cursor.operand->isMemory() || cursor.operand->kind == OperandKind::Address);
 }
 
-void addUses(const CheckedDocument& document, const Cursor& cursor, bool onlyWriters, Json& list) {
+void addUses(const Cursor& cursor, bool onlyWriters, Places& places) {
+  const CheckedDocument& document = places.document();
   Operand address = *cursor.operand;
   address.kind = OperandKind::Direct;
   for (const std::size_t index : entriesTouching(document.xref(), address)) {
@@ -98,18 +112,19 @@ void addUses(const CheckedDocument& document, const Cursor& cursor, bool onlyWri
         entry.area == Area::L && cursor.pou != nullptr && &document.program().pous[entry.block] != cursor.pou;
     if (isOfOther) continue;
     for (const Access* use : entry.uses) {
-      if (!onlyWriters || use->write || use->isBox) addLocation(document, spanOf(document, *use), list);
+      if (!onlyWriters || use->write || use->isBox) places.add(spanOf(document, *use));
     }
   }
 }
 
-void addCalls(const CheckedDocument& document, const Cursor& cursor, Json& list) {
+void addCalls(const Cursor& cursor, Places& places) {
+  const CheckedDocument& document = places.document();
   const Type type = *cursor.routine();
   eachInstruction(document.program(), [&](const Pou& pou, const Network&, const Instruction& instruction) {
     if (isLabel(instruction) || (type == Type::Label && &pou != cursor.pou)) return;
     for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
       if (routineType(instruction, i) == type && instruction.operands[i].value == cursor.operand->value)
-        addLocation(document, instruction.operands[i].span, list);
+        places.add(instruction.operands[i].span);
     }
   });
 }
@@ -148,27 +163,27 @@ OutlineKind kindOf(const Pou& pou) {
 }  // namespace
 
 Json definitionsAt(const CheckedDocument& document, ClientPlace place) {
-  Json list = Json::array();
+  Places places(document);
   const Cursor cursor = cursorAt(document, document.offset(place));
-  if (cursor.operand && cursor.routine()) addRoutine(document, cursor, list);
-  if (!isAddress(cursor)) return list;
-  addDeclarations(document, cursor, list);
+  if (cursor.operand && cursor.routine()) addRoutine(cursor, places);
+  if (!isAddress(cursor)) return places.take();
+  addDeclarations(cursor, places);
   // A name leads to its declaration, an address to whatever gives it its value.
-  if (list.empty() || cursor.operand->text.empty()) addUses(document, cursor, true, list);
-  return list;
+  if (places.empty() || cursor.operand->text.empty()) addUses(cursor, true, places);
+  return places.take();
 }
 
 Json referencesAt(const CheckedDocument& document, ClientPlace place, bool withDeclaration) {
-  Json list = Json::array();
+  Places places(document);
   const Cursor cursor = cursorAt(document, document.offset(place));
   if (cursor.operand && cursor.routine()) {
-    if (withDeclaration) addRoutine(document, cursor, list);
-    addCalls(document, cursor, list);
+    if (withDeclaration) addRoutine(cursor, places);
+    addCalls(cursor, places);
   }
-  if (!isAddress(cursor)) return list;
-  if (withDeclaration) addDeclarations(document, cursor, list);
-  addUses(document, cursor, false, list);
-  return list;
+  if (!isAddress(cursor)) return places.take();
+  if (withDeclaration) addDeclarations(cursor, places);
+  addUses(cursor, false, places);
+  return places.take();
 }
 
 Json outlineOf(const CheckedDocument& document) {

@@ -7,6 +7,8 @@
 namespace rungproof {
 
 std::size_t editDistance(std::string_view a, std::string_view b) {
+  constexpr std::size_t longestWord = 200;  // a name of megabytes is like no word, and costs as many rows
+  if (const std::size_t longest = std::max(a.size(), b.size()); longest > longestWord) return longest;
   std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) cost[i][0] = i;
   for (std::size_t k = 0; k <= b.size(); ++k) cost[0][k] = k;

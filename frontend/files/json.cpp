@@ -14,6 +14,25 @@ namespace {
 
 using Library = nlohmann::ordered_json;
 
+constexpr std::size_t deepestJson = 500;  ///< arrays and objects inside each other
+
+std::size_t depthOf(std::string_view text) {
+  std::size_t depth = 0, deepest = 0;
+  bool isInside = false;  // a string
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (isInside && c == '\\') {
+      ++i;
+      continue;
+    }
+    if (c == '"') isInside = !isInside;
+    if (isInside) continue;
+    if (c == '[' || c == '{') deepest = std::max(deepest, ++depth);
+    if ((c == ']' || c == '}') && depth > 0) --depth;
+  }
+  return deepest;
+}
+
 }  // namespace
 
 Json::Json(std::nullptr_t) {}
@@ -105,6 +124,7 @@ std::optional<Json> Json::read(const std::string& text) {
     }
     return json;
   };
+  if (depthOf(text) > deepestJson) return std::nullopt;  // values are walked and freed by recursion
   const Library library = Library::parse(text, nullptr, false);
   return library.is_discarded() ? std::nullopt : std::optional(value(value, library));
 }

@@ -7,6 +7,7 @@
 #include "analysis/rule.hpp"
 #include "frontend/cli/cli.hpp"
 #include "frontend/report.hpp"
+#include "frontend/report/long_array.hpp"
 
 namespace rungproof {
 
@@ -127,11 +128,10 @@ Json comparisonJson(const std::optional<Comparison>& comparison, const std::vect
   return json;
 }
 
-void write(const Report& report, const ReportStyle&, std::ostream& out) {
+void write(const Report& report, const ReportStyle& style, std::ostream& out) {
   const Summary summary = summaryOf(report);
   Json json = {{"tool", "rungproof"}, {"version", programVersion()}, {"command", report.command}};
   json["findings"] = Json::array();
-  for (const Finding& finding : report.findings) json["findings"].push_back(findingJson(finding, *report.sources));
   json["properties"] = Json::array();
   for (const PropertyResult& property : report.properties) {
     Json row = propertyJson(property, report.sources.get());
@@ -142,7 +142,7 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
     json["properties"].push_back(std::move(row));
   }
   if (report.selfCheck) json["self_check"] = selfCheckJson(*report.selfCheck);
-  if (report.techniques) json["techniques"] = techniquesJson(*report.techniques);
+  if (style.verbose && report.techniques) json["techniques"] = techniquesJson(*report.techniques);
   json["comparison"] = comparisonJson(report.comparison, report.assumptions);
   json["coverage"] = {{"instructions", report.coverage.instructions},
                       {"understood", report.coverage.understood},
@@ -150,7 +150,8 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
   if (!report.coverage.leftOut.empty()) json["coverage"]["left_out"] = report.coverage.leftOut;
   json["summary"] = {{"errors", summary.errors}, {"warnings", summary.warnings}, {"notes", summary.notes},
                      {"proved", summary.proved}, {"violated", summary.violated}, {"undecided", summary.undecided}};
-  out << json.dump(2) << '\n';
+  writeWithItems(out, json, "findings", 2, report.findings.size(),
+                 [&](std::size_t i) { return findingJson(report.findings[i], *report.sources); });
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "frontend/files/json.hpp"
 #include "frontend/linting/fingerprint.hpp"
 #include "frontend/report.hpp"
+#include "frontend/report/long_array.hpp"
 
 namespace rungproof {
 
@@ -138,24 +139,28 @@ Json resultOf(const PropertyResult& property, const Report& report, std::size_t 
 void write(const Report& report, const ReportStyle&, std::ostream& out) {
   std::map<std::string, std::size_t> ruleIndex;
   Json rules = Json::array();
-  Json results = Json::array();
   for (const Finding& finding : report.findings) {
-    const auto [entry, isNew] = ruleIndex.emplace(finding.rule, rules.size());
-    if (isNew) rules.push_back(ruleObject(std::string(finding.rule)));
-    results.push_back(resultOf(finding, report, entry->second));
+    if (ruleIndex.emplace(finding.rule, rules.size()).second) rules.push_back(ruleObject(std::string(finding.rule)));
   }
   for (const PropertyResult& property : report.properties) {
-    const auto [entry, isNew] = ruleIndex.emplace(idOf(property), rules.size());
-    if (isNew) rules.push_back(ruleObject(property));
-    results.push_back(resultOf(property, report, entry->second));
+    if (ruleIndex.emplace(idOf(property), rules.size()).second) rules.push_back(ruleObject(property));
   }
+  const std::size_t findings = report.findings.size();
+  const auto resultAt = [&](std::size_t i) {
+    if (i < findings) {
+      const Finding& finding = report.findings[i];
+      return resultOf(finding, report, ruleIndex.at(std::string(finding.rule)));
+    }
+    const PropertyResult& property = report.properties[i - findings];
+    return resultOf(property, report, ruleIndex.at(idOf(property)));
+  };
   const Json run = {
       {"tool", {{"driver", {{"name", "rungproof"}, {"semanticVersion", programVersion()}, {"rules", rules}}}}},
       {"columnKind", "unicodeCodePoints"},
-      {"results", results}};
+      {"results", Json::array()}};
   const Json log = {
       {"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"version", "2.1.0"}, {"runs", Json::array({run})}};
-  out << log.dump(2) << '\n';
+  writeWithItems(out, log, "results", 6, findings + report.properties.size(), resultAt);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ namespace rungproof {
 namespace {
 
 constexpr int tabWidth = 4;
+constexpr std::size_t mostLookedAt = 4096;  ///< bytes on either side of a mark's beginning
 
 /// A character of the shown line: its text and its columns.
 struct TextCell {
@@ -99,25 +100,32 @@ Excerpt excerptOf(const SourceFile& file, Span span, std::uint32_t lineNumber) {
     excerpt.markWidth = std::max(1, static_cast<int>(stop - start));
     return excerpt;
   }
+  // Of a line of megabytes only what may be shown is looked at.
+  const auto isTail = [&](std::size_t at) { return (static_cast<unsigned char>(line[at]) & 0xC0U) == 0x80U; };
+  std::size_t from = start > mostLookedAt ? start - mostLookedAt : 0;
+  std::size_t to = std::min(line.size(), start + mostLookedAt);
+  while (from > 0 && isTail(from)) --from;
+  while (to < line.size() && isTail(to)) ++to;
+  const bool isPart = from > 0 || to < line.size();
   std::vector<std::size_t> cellOfByte;
-  const std::vector<TextCell> cells = textCells(line, cellOfByte);
-  const std::size_t markFirst = cellOfByte[start];
-  const std::size_t markEnd = std::max(cellOfByte[stop], markFirst);
+  const std::vector<TextCell> cells = textCells(line.substr(from, to - from), cellOfByte);
+  const std::size_t markFirst = cellOfByte[start - from];
+  const std::size_t markEnd = std::max(cellOfByte[std::min(stop, to) - from], markFirst);
 
   // The window: the whole line if it fits, else as much around the mark's beginning as fits.
   std::size_t first = 0;
   std::size_t end = cells.size();
-  if (widthOf(cells, 0, end) > excerptWidth) {
+  if (isPart || widthOf(cells, 0, end) > excerptWidth) {
     constexpr int before = excerptWidth / 3;
     first = markFirst;
     for (int room = before; first > 0 && room >= cells[first - 1].width; --first) room -= cells[first - 1].width;
     end = first;
     for (int room = excerptWidth; end < cells.size() && room >= cells[end].width; ++end) room -= cells[end].width;
   }
-  if (first > 0) excerpt.line += "...";
+  if (first > 0 || from > 0) excerpt.line += "...";
   excerpt.markBegin = displayWidth(excerpt.line) + widthOf(cells, first, markFirst);
   for (std::size_t i = first; i < end; ++i) excerpt.line += cells[i].text;
-  if (end < cells.size()) excerpt.line += "...";
+  if (end < cells.size() || to < line.size()) excerpt.line += "...";
   excerpt.markWidth = std::max(1, widthOf(cells, markFirst, std::min(markEnd, end)));
   excerpt.line.erase(excerpt.line.find_last_not_of(' ') + 1);
   return excerpt;

@@ -32,7 +32,7 @@ TEST(TechniqueOption, IsInNoHelp) {
 TEST(TechniqueOption, SwitchesOff) {
   const TemporaryFolder folder;
   const auto techniquesOf = [&](std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {"prove", "--isolated", "--format", "json"});
+    arguments.insert(arguments.begin(), {"prove", "--isolated", "--verbose", "--format", "json"});
     arguments.push_back(follower(folder));
     const nlohmann::json json = nlohmann::json::parse(run(arguments).out);
     const std::string schema = std::string(RUNGPROOF_SOURCE_DIR) + "/frontend/report/schema.json";

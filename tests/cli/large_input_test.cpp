@@ -1,0 +1,90 @@
+// Inputs of 100,000 elements and more: an answer or a refusal, in bounded memory. What grew with the square of the size
+// would not come to an end here within the time that a test has.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program_run.hpp"
+#include "tests/measured_process.hpp"
+
+namespace rungproof::test {
+namespace {
+
+constexpr double limit = 120;  ///< seconds of a process that hangs
+constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
+
+ProcessRun execute(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), RUNGPROOF_BINARY_DIR "/rungproof");
+  return runProcess(arguments, limit);
+}
+
+template <class Element>
+std::string repeated(std::size_t count, const Element& element) {
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) text += element(i);
+  return text;
+}
+
+const std::string motor = "Network 1\nLD I0.0\n= Q0.0\n";
+
+// Forty kilobytes a finding before: 800 MB for this file. The text itself has 2.3 kB a finding.
+TEST(LargeInput, ReportsOfManyFindingsTakeNoMoreMemoryThanTheFindings) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("p.awl", repeated(20000, [](std::size_t i) {
+                                         return "Network " + std::to_string(i + 1) + "\nLD I0.0\n= Q9.9\n";
+                                       }));
+  for (const char* form : {"sarif", "json"}) {
+    const std::string report = folder.path("report");
+    const ProcessRun made = execute({"lint", "--isolated", std::string("--format=") + form + "=" + report, file});
+    EXPECT_LT(made.peakBytes, 200 * mebibyte) << form << made.output.substr(0, 200);
+    const nlohmann::json json = nlohmann::json::parse(contentOf(report), nullptr, false);
+    ASSERT_FALSE(json.is_discarded()) << form;
+    EXPECT_GE((form == std::string("json") ? json["findings"] : json["runs"][0]["results"]).size(), 20000U) << form;
+  }
+}
+
+TEST(LargeInput, ALineOfMegabytesIsShownInPart) {
+  const TemporaryFolder folder;
+  const ProcessRun made = execute({"lint", "--isolated", folder.file("p.awl", std::string(20'000'000, 'A'))});
+  EXPECT_LT(made.peakBytes, 400 * mebibyte);
+  EXPECT_LT(made.output.size(), 2000U);
+  EXPECT_NE(made.output.find("..."), std::string::npos) << made.output;
+}
+
+TEST(LargeInput, ColumnsAndNamesAreLookedUpOnce) {
+  const TemporaryFolder folder;
+  const std::string table =
+      folder.file("t.csv", "scan" + repeated(200'000, [](std::size_t i) { return ",s" + std::to_string(i); }) + "\n1" +
+                               repeated(200'000, [](std::size_t) { return ",1"; }) + "\n");
+  const ProcessRun compared = execute({"compare", table, table});
+  EXPECT_FALSE(compared.isCut);
+  EXPECT_NE(compared.output.find("traces agree"), std::string::npos) << compared.output.substr(0, 500);
+  const std::string program = folder.file(
+      "p.awl",
+      repeated(200'000, [](std::size_t i) { return "//@ prove p" + std::to_string(i) + ": Q0.0 implies I0.0\n"; }) +
+          "//@ prove p7: Q0.0 implies I0.0\n" + motor);
+  const ProcessRun linted = execute({"lint", "--isolated", program});
+  EXPECT_FALSE(linted.isCut);
+  EXPECT_NE(linted.output.find("the name 'p7' is already taken"), std::string::npos) << linted.output.substr(0, 500);
+}
+
+TEST(LargeInput, DeepNestingIsAnAnswerOrARefusal) {
+  const TemporaryFolder folder;
+  constexpr std::size_t depth = 100'000;
+  const std::string program = folder.file("p.awl", motor), open(depth, '['), close(depth, ']');
+  const ProgramRun baseline = run({"lint", "--isolated", "--baseline", folder.file("b.json", open + close), program});
+  EXPECT_EQ(baseline.exit, 2) << baseline.out << baseline.err;
+  for (const std::string& toml :
+       {"inputs = " + open + close, "a." + repeated(depth, [](std::size_t) { return "a."; }) + "b = 1",
+        repeated(depth, [](std::size_t) { return "[[a.b]]\n"; })})
+    EXPECT_EQ(run({"lint", "--config", folder.file("c.toml", toml + "\n"), program}).exit, 2);
+  for (const std::string& statement : {std::string(depth, '(') + "I0.0" + std::string(depth, ')'),
+                                       repeated(depth, [](std::size_t) { return "not "; }) + "I0.0"}) {
+    const ProcessRun proved =
+        execute({"prove", "--isolated", "--props", folder.file("p.prop", "prove p: " + statement + "\n"), program});
+    EXPECT_FALSE(proved.isCut) << proved.output.substr(0, 500);
+  }
+}
+
+}  // namespace
+}  // namespace rungproof::test
