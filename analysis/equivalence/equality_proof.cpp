@@ -41,12 +41,12 @@ EqualityProof::EqualityProof(ProgramProduct& written, const std::vector<std::str
   const JoinedSystem joined = written.merged(merges, true, conditions_);
   writeMemory(joined, own);
   writeOutputs(written, joined, merges);
-  writeTold(written.oldSystem(), written.oldSide().encoding().toldFacts(), "OLD");
-  writeTold(written.newSystem(), written.newSide().encoding().toldFacts(), "NEW");
+  writeTold(written.oldSystem(), written.oldSide().encoding(), "OLD");
+  writeTold(written.newSystem(), written.newSide().encoding(), "NEW");
 }
 
-void EqualityProof::writeTold(const TransitionSystem& system, const ToldFacts& told, const std::string& side) {
-  ToldProof proof(system, told);
+void EqualityProof::writeTold(const TransitionSystem& system, const EncodedScan& encoding, const std::string& side) {
+  ToldProof proof(system, encoding.toldFacts(), encoding.keptCells());
   if (proof.check({.each = seconds_, .total = 3 * seconds_}) != CheckResult::Valid)
     missing_.push_back(fmt::format("what the encoding of {} was told: {}", side, proof.reason()));
   else if (std::string text = proof.text(); !text.empty())

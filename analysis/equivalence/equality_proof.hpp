@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "analysis/encoding/exact_reals.hpp"
-#include "analysis/encoding/told_facts.hpp"
 #include "analysis/equivalence/correspondence.hpp"
 
 namespace rungproof {
@@ -39,7 +38,7 @@ class EqualityProof {
                               CertificateWriter& writer);
   void writeMemory(const JoinedSystem& joined, const std::vector<std::string>& names);
   void writeOutputs(ProgramProduct& written, const JoinedSystem& joined, const std::vector<bool>& isMerged);
-  void writeTold(const TransitionSystem& system, const ToldFacts& told, const std::string& side);
+  void writeTold(const TransitionSystem& system, const EncodedScan& encoding, const std::string& side);
   bool writeOutput(const TransitionSystem& system, const Question& question, double longest);
 
   const std::vector<PairCondition>& conditions_;

@@ -29,7 +29,8 @@ AsWritten::AsWritten(QuestionSystem& simplified, std::unique_ptr<QuestionSystem>
 }
 
 ToldProof& AsWritten::told() {
-  if (!told_) told_.emplace(side_->system(), side_->askedProperties().encoding().toldFacts());
+  const EncodedScan& encoding = side_->askedProperties().encoding();
+  if (!told_) told_.emplace(side_->system(), encoding.toldFacts(), encoding.keptCells());
   return *told_;
 }
 

@@ -18,8 +18,10 @@ Node conjunction(Graph& graph, const std::vector<Node>& facts) {
   return all.node;
 }
 
-/// What is known of all cells under the roots, of all under the next values of these, and so on.
-std::vector<Node> knownBehind(const TransitionSystem& system, const ToldFacts& told, std::vector<Node> roots) {
+/// What is known of cells under the roots, under the next values of these, and so on; `isMeant`: of which.
+template <class IsMeant>
+std::vector<Node> knownBehind(const TransitionSystem& system, const ToldFacts& told, std::vector<Node> roots,
+                              IsMeant&& isMeant) {
   std::unordered_map<std::uint32_t, Node> next;
   for (const StateVariable& state : system.states) next.emplace(indexOf(state.node), state.next);
   std::unordered_set<std::uint32_t> seen;
@@ -32,7 +34,7 @@ std::vector<Node> knownBehind(const TransitionSystem& system, const ToldFacts& t
     roots.insert(roots.end(), node.child.begin(), node.child.end());
     const auto known = told.known.find(indexOf(n));
     const auto state = next.find(indexOf(n));
-    if (known == told.known.end() || state == next.end()) continue;
+    if (known == told.known.end() || state == next.end() || !isMeant(n)) continue;
     facts.insert(facts.end(), known->second.begin(), known->second.end());
     roots.insert(roots.end(), known->second.begin(), known->second.end());  // they may speak of the first scan
     roots.push_back(state->second);
@@ -42,44 +44,45 @@ std::vector<Node> knownBehind(const TransitionSystem& system, const ToldFacts& t
 
 }  // namespace
 
-ToldProof::ToldProof(const TransitionSystem& system, const ToldFacts& told) : system_(system) {
-  Graph& graph = *system_.graph;
-  std::vector<Node> roots;
-  for (const auto& [name, facts] :
-       {std::pair("known conditions", &told.conditions), std::pair("targets of pointers", &told.pointers),
-        std::pair("effects of interrupt routines", &told.effects)}) {
-    if (facts->empty()) continue;
-    parts_.push_back({name, conjunction(graph, *facts)});
-    roots.push_back(parts_.back().fact);
-  }
-  invariant_ = knownBehind(system_, told, roots);
+ToldProof::ToldProof(const TransitionSystem& system, const ToldFacts& told, const std::vector<KeptCell>& kept)
+    : system_(system) {
+  std::unordered_set<Node> keeps;
+  for (const KeptCell& cell : kept) keeps.insert(cell.node);
+  const auto add = [&](const char* name, const std::vector<Node>& facts, auto&& isMeant) {
+    if (facts.empty()) return;
+    parts_.push_back({name, conjunction(*system_.graph, facts), {}});
+    parts_.back().invariant.invariant = knownBehind(system_, told, {parts_.back().fact}, isMeant);
+  };
+  // Simplification knows of cells that keep their value; only what leads pointers rests on the values of others.
+  add("known conditions", told.conditions, [&](Node n) { return keeps.contains(n); });
+  add("effects of interrupt routines", told.effects, [&](Node n) { return keeps.contains(n); });
+  add("targets of pointers", told.pointers, [](Node) { return true; });
 }
 
 void ToldProof::addParts(CertificateWriter& writer) const {
-  WordCertificate invariant;
-  invariant.invariant = invariant_;
-  writer.addInvariant("what the encoding was told", invariant);
-  for (const Part& part : parts_) writer.addConsequence(part.name, invariant, part.fact);
+  for (const Part& part : parts_) {
+    writer.addInvariant(std::string("what the encoding was told, ") + part.name, part.invariant);
+    writer.addConsequence(part.name, part.invariant, part.fact);
+  }
+}
+
+void ToldProof::judge(const CheckLimits& limits) {
+  CertificateWriter writer(system_);
+  addParts(writer);
+  const std::vector<CheckResult> results = writer.check(limits);  // two for each part
+  result_ = CheckResult::Valid;
+  reason_.clear();
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const bool isRefused = results[2 * i] == CheckResult::Invalid || results[2 * i + 1] == CheckResult::Invalid;
+    if (!isRefused && results[2 * i] == CheckResult::Valid && results[2 * i + 1] == CheckResult::Valid) continue;
+    if (result_ == CheckResult::Valid || isRefused) result_ = isRefused ? CheckResult::Invalid : CheckResult::Unknown;
+    reason_ += (reason_.empty() ? "" : ", ") + std::string(parts_[i].name);
+  }
 }
 
 CheckResult ToldProof::check(const CheckLimits& limits) {
   if (result_) return *result_;
-  result_ = CheckResult::Valid;
-  if (parts_.empty()) return *result_;
-  const auto judge = [&] {
-    CertificateWriter writer(system_);
-    addParts(writer);
-    const std::vector<CheckResult> results = writer.check(limits);
-    result_ = CheckResult::Valid;
-    reason_.clear();
-    for (std::size_t i = 0; i < results.size(); ++i) {
-      if (results[i] == CheckResult::Valid) continue;
-      if (result_ == CheckResult::Valid || results[i] == CheckResult::Invalid) result_ = results[i];
-      if (!reason_.empty()) reason_ += ", ";
-      reason_ += i == 0 ? "values that cells keep" : parts_[i - 1].name;
-    }
-  };
-  judge();
+  judge(limits);
   if (result_ == CheckResult::Valid) return *result_;
   // What simplification knew of REAL operations is shown by writing them out.
   const Graph& graph = *system_.graph;
@@ -92,7 +95,7 @@ CheckResult ToldProof::check(const CheckLimits& limits) {
   for (const Part& part : parts_) system_.questions.push_back({part.name, part.fact});
   system_ = withExactReals(system_, RealScope::All);
   for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i].fact = system_.questions[i].bad;
-  judge();
+  judge(limits);
   return *result_;
 }
 

@@ -1,7 +1,7 @@
 // ToldProof: that what an encoding along a trail was told (analysis/encoding/told_facts.hpp) holds in every scan of the
-// system: an invariant of what was known of cells, the values that never change among them, and one obligation for
-// conditions, for targets of pointers, for effects of interrupt routines. Whatever else is proved of the system rests
-// on it, so its text stands in front of every certificate. Tested by tests/certificate.
+// system: known conditions, effects of interrupt routines, targets of pointers, each with the invariant that it rests
+// on: cells that keep their value; for pointers also which values other cells have. Whatever else is proved of the
+// system rests on it, so its text stands in front of every certificate. Tested by tests/certificate.
 #pragma once
 
 #include <optional>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/encoding/told_facts.hpp"
+#include "analysis/encoding/trail.hpp"
 #include "analysis/portfolio/certificate.hpp"
 
 namespace rungproof {
@@ -16,7 +17,7 @@ namespace rungproof {
 class ToldProof {
  public:
   /// `system`: of the encoding that was told these facts. Adds nodes to its graph.
-  ToldProof(const TransitionSystem& system, const ToldFacts& told);
+  ToldProof(const TransitionSystem& system, const ToldFacts& told, const std::vector<KeptCell>& kept);
 
   /// Valid: all of it holds. Checked once, then known; within the limits of the first call.
   CheckResult check(const CheckLimits& limits);
@@ -29,12 +30,13 @@ class ToldProof {
   struct Part {
     const char* name;
     Node fact;
+    WordCertificate invariant{};
   };
+  void judge(const CheckLimits& limits);
   void addParts(CertificateWriter& writer) const;
 
   TransitionSystem system_;
   std::vector<Part> parts_;
-  std::vector<Node> invariant_;
   std::optional<CheckResult> result_;
   std::string reason_;
 };

@@ -63,7 +63,7 @@ TEST(Certificate, Cvc5AgreesOnTheWholeCorpus) {
       const std::string answer = askCvc5(file, asked);
       // In front of its own: what the encoding was told.
       const std::size_t told = count(text, "; initiation of: what the encoding was told");
-      EXPECT_LE(told, 1U);
+      EXPECT_LE(told, 3U);
       EXPECT_EQ(count(text, "; initiation of"), 1 + told);
       EXPECT_EQ(count(text, "; consecution of"), 1 + told);
       EXPECT_EQ(count(text, "; safety of"), 1U);

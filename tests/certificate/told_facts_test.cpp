@@ -175,7 +175,7 @@ TEST(ToldFacts, WhatTheCorpusIsToldHolds) {
     EXPECT_TRUE(encoded.passes()) << path << ": " << encoded.written->told().reason();
     told += encoded.written->told().text().empty() ? 0 : 1;
   }
-  EXPECT_GE(told, 100U);
+  EXPECT_GE(told, 90U);
 }
 
 }  // namespace
