@@ -30,6 +30,10 @@ std::uint64_t cellValue(const Concrete::Store& store, const Operand& operand) {
   }
 }
 
+bool takesCounts(const Concrete::Store& store, const Operand& counter) {
+  return counter.offset < store.count(Reg::HscEnabled) && store.get(Reg::HscEnabled, counter.offset) != 0;
+}
+
 void setCell(Concrete::Store& store, const Operand& operand, std::uint64_t value) {
   CHECK(operand.kind == OperandKind::Direct, "only direct operands have a value of their own");
   const std::uint32_t offset = operand.offset;

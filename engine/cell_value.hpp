@@ -14,5 +14,8 @@ std::uint64_t cellValue(const Concrete::Store& store, const Operand& operand);
 /// Sets it as the surroundings would: I the physical inputs, which the next scan reads; everything else the cell
 /// itself.
 void setCell(Concrete::Store& store, const Operand& operand, std::uint64_t value);
+/// Whether the surroundings may give a high-speed counter a value: HSC has enabled it (001:4302), else it keeps its
+/// own.
+bool takesCounts(const Concrete::Store& store, const Operand& counter);
 
 }  // namespace rungproof

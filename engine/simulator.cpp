@@ -167,6 +167,7 @@ std::uint64_t Simulator::startByte(int block, std::uint32_t byte, std::uint64_t 
 
 std::uint64_t Simulator::read(const Operand& operand) const { return cellValue(store_, operand); }
 void Simulator::write(const Operand& operand, std::uint64_t value) {
+  if (operand.area == Area::HC && !takesCounts(store_, operand)) return;
   setCell(store_, operand, value);
   if (operand.area != Area::PI && operand.area != Area::AI) return;
   const auto isGiven = [&](std::uint32_t byte) {

@@ -318,6 +318,14 @@ Node DeviceWrites::seen(const Place& place, Node start) {
   return result;
 }
 
+std::string DeviceWrites::countName(std::uint32_t counter) { return fmt::format("HC{} of the scan", counter); }
+
+Node DeviceWrites::counted(std::uint32_t counter, Node start) {
+  const auto [place, isNew] = counts_.try_emplace(counter, noNode);
+  if (isNew) place->second = choose(reg(Reg::HscEnabled, counter), source_.input(countName(counter), 32), start, 32);
+  return place->second;
+}
+
 bool canCount(const Program& program, const CallContracts& hidden, std::uint32_t counter) {
   constexpr std::int64_t countsPulseOutput = 12;
   const auto isThere = [&](auto&& isWanted) {

@@ -7,7 +7,8 @@
 //               001:3052-3065); NETR before: as many data bytes as were asked for.
 //   PLS         a train or profile ends: SM66.7 or SM76.7, SM66.4 or SM76.4 (001:4648-4650); while a profile runs its
 //               segment in SMB166 or SMB176 (001:14367).
-//   HSC         after HDEF the status bits 5 to 7, which mean something in interrupt routines only (001:4344).
+//   HSC         after HDEF the status bits 5 to 7, which mean something in interrupt routines only (001:4344); while
+//               bit 7 of the control byte has enabled it the current value (001:4302), one for each scan.
 //   SM31.7      cleared when the value has been saved (001:1649-1651).
 //
 // Devices write between scans: a request ends before any later scan, or never. Only what the program asks for costs
@@ -43,6 +44,10 @@ class DeviceWrites {
   void begin(Machine<Graph>& machine);
   /// The value that the scan finds at a place of memory whose cell starts with `start`.
   Node seen(const Place& place, Node start);
+  /// The current value of a high-speed counter that the scan finds where the last one has left `start`.
+  Node counted(std::uint32_t counter, Node start);
+  /// The input that says what a counter has counted.
+  static std::string countName(std::uint32_t counter);
   /// Whether anything is ever written there.
   bool mayWrite(const Place& place);
   const std::vector<DeviceWrite>& writes() const { return writes_; }
@@ -98,6 +103,7 @@ class DeviceWrites {
   std::array<Node, pulseOutputCount> aborted_{noNode, noNode, noNode, noNode};
   std::map<std::pair<Area, std::uint32_t>, std::vector<ByteWrite>> known_;
   std::vector<DeviceWrite> writes_;
+  std::map<std::uint32_t, Node> counts_;
 };
 
 /// Whether that high-speed counter can count: HDEF of it stands in the program; without, it stays 0 (001:4308). Mode 12

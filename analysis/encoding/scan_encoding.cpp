@@ -183,10 +183,13 @@ Node ScanEncoding::localByte(std::uint32_t entry, std::uint32_t byte) {
   return e.node;
 }
 
+/// The current value of a high-speed counter that can count.
+bool ScanEncoding::isCount(const Place& place) const {
+  return place.isRegister && place.reg == Reg::HscCurrent && canCount(program_, contracts_, place.at);
+}
+
 bool ScanEncoding::isInput(const Place& place) const {
-  if (place.isRegister)
-    return place.reg == Reg::PhysicalInput ||
-           (place.reg == Reg::HscCurrent && canCount(program_, contracts_, place.at));
+  if (place.isRegister) return place.reg == Reg::PhysicalInput;
   if (place.area == Area::I) return true;
   const std::uint32_t byte = place.byte();
   if (place.area == Area::SM) {
@@ -272,6 +275,7 @@ Node ScanEncoding::atScan(const Cell& cell) {
   const Place& place = cell.place;
   const bool isFirstScanBit = place.area == Area::SM && place.width == 1 &&
                               smSource(program_.target, place.byte(), place.bit()) == SmSource::FirstScan;
+  if (place.isRegister) return isCount(place) ? devices_.counted(place.at, cell.start) : cell.start;
   if (isFirstScanBit) return graph.make(Op::And, 1, cell.start, startOfCell(registerPlace(Reg::FirstScan, 0)));
   return devices_.seen(place, cell.start);
 }
@@ -282,7 +286,7 @@ Cell ScanEncoding::newCell(const Place& place) {
     return keeping(place, known->second);
   const Node first = init(place);
   if (place.isRegister && place.reg == Reg::Reading && first != noNode) return {place, CellKind::Constant, first};
-  const auto isOfDevice = [&] { return !place.isRegister && devices_.mayWrite(place); };
+  const auto isOfDevice = [&] { return place.isRegister ? isCount(place) : devices_.mayWrite(place); };
   if (isClosed_ && !hasHavoc_ && first != noNode && !isOfDevice()) return keeping(place, graph[first].value);
   const Node node = graph.variable(nameOf(place), place.width, true);
   if (first == noNode && place.isRegister) constrainStart(place, node);
@@ -443,13 +447,6 @@ TransitionSystem ScanEncoding::system() {
   ts.constraints = constraints_;
   for (std::size_t i = 0; i < cells().size(); ++i) {
     const Cell cell = cells()[i];
-    if (cell.kind == CellKind::Input && cell.place.isRegister && cell.place.reg == Reg::HscCurrent) {
-      const Graph::Bool isDefined =
-          graph.lnot(graph.equal({start(registerPlace(Reg::HscMode, cell.place.at))}, graph.literal(0, 8), 8));
-      const Node fits = graph.lor(isDefined, graph.equal({cell.start}, graph.literal(0, 32), 32)).node;
-      ts.constraints.push_back(fits);
-      totalConstraints_.push_back(fits);
-    }
     if (cell.kind != CellKind::State) continue;
     ts.states.push_back({cell.start, init(cell.place), store_.value(cell.place)});
     if (cell.place == registerPlace(Reg::Running, 0)) ts.constraints.push_back(cell.start);

@@ -182,6 +182,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   void prepareTicks();
   void prepareWatched();
   bool isInput(const Place& place) const;
+  bool isCount(const Place& place) const;
   Cell keeping(const Place& place, std::uint64_t value);
   std::optional<std::vector<std::uint64_t>> targetsOf(Node pointer, Node guard);
   Node init(const Place& place) const;

@@ -90,7 +90,7 @@ void Graph::Store::touchRegister(Reg reg, std::uint32_t index) {
   const Place place = registerPlace(reg, index);
   const Cell cell = source_.cellAt(place);
   cells_.push_back(cell);
-  Node start = cell.start;
+  Node start = source_.atScan(cell);
   const bool isReachable = reg == Reg::TimerCurrent || reg == Reg::CounterCurrent;
   if (isReachable) {
     for (const Havoc& h : havocs_) start = graph_.make(Op::Ite, place.width, h.guard, h.fresh(place), start);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "analysis/encoding/device_writes.hpp"
 #include "analysis/equivalence/product.hpp"
 
 namespace rungproof {
@@ -74,9 +75,16 @@ void ProgramProduct::replaceCells(SideCopy& copy) {
     const Node value = oldValue(cell.place, isStatusOfOld(cell.place));
     if (value != noNode && isOldInput(cell.place)) copy.replace(cell.start, value);
   }
+  std::map<std::string, std::string> namesOfCounts;  // in NEW, with what they are in OLD
+  for (std::uint32_t counter = 0; counter < regInfo(Reg::HscCurrent).count; ++counter) {
+    const auto there = options_.pairs.before(Address{Area::HC, counter});
+    namesOfCounts[DeviceWrites::countName(counter)] =
+        there && there->area == Area::HC ? DeviceWrites::countName(there->index) : "";
+  }
   for (const auto& [name, node] : new_.encoding().deviceInputs()) {
     const auto& own = old_.encoding().deviceInputs();
-    const auto same = own.find(name);
+    const auto renamed = namesOfCounts.find(name);
+    const auto same = own.find(renamed == namesOfCounts.end() ? name : renamed->second);
     if (same != own.end() && old_.encoding().graph()[same->second].width == new_.encoding().graph()[node].width)
       copy.replace(node, same->second);
   }

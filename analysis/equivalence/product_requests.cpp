@@ -154,10 +154,6 @@ std::vector<bool> ProgramProduct::dependsOnDevices(const JoinedSystem& joined) {
   }();
   std::set<Node> answers;
   for (const auto& [name, node] : old_.encoding().deviceInputs()) answers.insert(node);
-  for (const Cell& cell : old_.encoding().cells()) {
-    const bool isCount = cell.place.isRegister && cell.place.reg == Reg::HscCurrent;
-    if (isCount && cell.kind == CellKind::Input) answers.insert(cell.start);
-  }
   for (const SiteInput& site : old_.encoding().siteInputs()) {
     if (isDeviceEvent(site.event)) answers.insert(site.node);
   }

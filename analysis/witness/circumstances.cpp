@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "analysis/encoding/device_writes.hpp"
 #include "analysis/schedule/schedule.hpp"
 #include "ir/s7200/isa/hsc.hpp"
 #include "ir/s7200/special_memory.hpp"
@@ -73,12 +74,13 @@ std::vector<std::string> anyValuesOf(const EncodedScan& scan, const std::unorder
   const auto add = [&](std::string text) {
     if (!text.empty() && std::ranges::find(texts, text) == texts.end()) texts.push_back(std::move(text));
   };
-  for (const Cell& cell : scan.cells()) {
-    const bool isCount = cell.place.isRegister && cell.place.reg == Reg::HscCurrent;
-    if (!isCount || cell.kind != CellKind::Input || !variables.contains(indexOf(cell.start))) continue;
-    const std::uint32_t counter = cell.place.at;
-    add(fmt::format("HC{} = any value after HDEF {}: pulses, and whether SM{}.7 lets it count, are not followed",
-                    counter, counter, isa::hscControl[counter]));
+  for (std::uint32_t counter = 0; counter < regInfo(Reg::HscCurrent).count; ++counter) {
+    const auto counted = scan.deviceInputs().find(DeviceWrites::countName(counter));
+    if (counted == scan.deviceInputs().end() || !variables.contains(indexOf(counted->second))) continue;
+    add(fmt::format(
+        "HC{} = any value in each scan while HSC {} has let it count (SM{}.7), the same for the whole scan: "
+        "pulses are not followed",
+        counter, counter, isa::hscControl[counter]));
   }
   for (const ExternalInput& e : scan.externals()) {
     if (e.node != noNode && variables.contains(indexOf(e.node))) add(std::string(anyValueOf(e.site.kind)));
@@ -106,6 +108,11 @@ Circumstances circumstancesOf(const EncodedScan& scan, const std::unordered_set<
   result.anyValues = anyValuesOf(scan, variables);
   result.mayStop = scan.graph().truth({scan.halted()}) != std::optional(false);
   return result;
+}
+
+bool hasAnyValues(const EncodedScan& scan) {
+  const auto isOf = [](const ExternalInput& e) { return e.node != noNode && !anyValueOf(e.site.kind).empty(); };
+  return !scan.deviceInputs().empty() || std::ranges::any_of(scan.externals(), isOf);
 }
 
 std::vector<Choice> fixedReadingsOf(const EncodedScan& scan) {

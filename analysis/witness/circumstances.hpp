@@ -14,15 +14,17 @@
 namespace rungproof {
 
 struct Circumstances {
-  std::vector<Choice> fixed;  ///< chosen by the user, or facts of the plant
-  std::vector<Choice> open;   ///< covered in all their readings
-  bool mayStop = false;       ///< STOP or a fatal error can end the run
+  std::vector<Choice> fixed;           ///< chosen by the user, or facts of the plant
+  std::vector<Choice> open;            ///< covered in all their readings
+  bool mayStop = false;                ///< STOP or a fatal error can end the run
   std::vector<std::string> anyValues;  ///< of devices: "HC1 = any value: ..."
 };
 
 /// Of a question that depends on those variables of the encoding, through any number of scans. Fixed readings are seen
 /// in an encoding that covers them all the same (EncoderOptions::coversAllReadings).
 Circumstances circumstancesOf(const EncodedScan& scan, const std::unordered_set<std::uint32_t>& variables);
+/// Whether any question can depend on a device that has any value.
+bool hasAnyValues(const EncodedScan& scan);
 /// The fixed readings that some instruction of the program asks for.
 std::vector<Choice> fixedReadingsOf(const EncodedScan& scan);
 

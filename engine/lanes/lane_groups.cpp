@@ -184,6 +184,7 @@ void LaneGroups::setInput(std::uint32_t bit, std::span<const std::uint64_t> trac
 
 void LaneGroups::write(std::size_t trace, const Operand& operand, std::uint64_t value, const Concrete::Store& common) {
   Concrete::Store now = store(trace, common);
+  if (operand.area == Area::HC && !takesCounts(now, operand)) return;
   setCell(now, operand, value);
   for (std::uint32_t bit = 0; bit < inputCount(); ++bit) {
     const bool isOn = now.get(Reg::PhysicalInput, bit) != 0;

@@ -316,8 +316,8 @@ TEST(Builtin, LoopBeyondTheLimitLeavesProofsOpen) {
 
 /// OB1 that reads a word of the open block at AR1, which the statements set.
 ProofRun readAtPointer(const std::string& statements, const std::string& blocks) {
-  const ProgramInput input = inputOfSource(blocks + "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n" + statements +
-                                           "\nEND_ORGANIZATION_BLOCK\n");
+  const ProgramInput input =
+      inputOfSource(blocks + "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n" + statements + "\nEND_ORGANIZATION_BLOCK\n");
   ProverOptions options = usualOptions(10);
   options.time.high = 150;
   options.checks.builtin = true;
@@ -367,47 +367,29 @@ TEST(Builtin, PointersToPlacesThatAreNotFoundMayFail) {
   const std::string handler = "ORGANIZATION_BLOCK OB 122\nBEGIN\nNETWORK\nSET;\nS M 0.0;\nEND_ORGANIZATION_BLOCK\n";
   const auto clean = [&](const std::string& access) {
     const ProgramInput input =
-        inputOfSource(handler + "ORGANIZATION_BLOCK OB 1\n//@ prove clean: never M0.0\nBEGIN\nNETWORK\nL IW 4;\nL 64;\n"
-                      "*I;\nLAR1;\n" + access + "\nEND_ORGANIZATION_BLOCK\n");
+        inputOfSource(handler +
+                      "ORGANIZATION_BLOCK OB 1\n//@ prove clean: never M0.0\nBEGIN\nNETWORK\nL IW 4;\nL 64;\n"
+                      "*I;\nLAR1;\n" +
+                      access + "\nEND_ORGANIZATION_BLOCK\n");
     return outcomeOf(prove(input.program, input.properties, usualOptions(5)), "clean");
   };
   EXPECT_NE(clean("L PIW [AR1,P#0.0];\nT MW 10;"), Outcome::Proved);
   EXPECT_EQ(clean("L MW [AR1,P#0.0];\nT MW 10;"), Outcome::Proved);
   std::string protectedData = dataOf(20, 3000);
   protectedData.insert(protectedData.find("STRUCT"), "READ_ONLY\n");
-  const Outcomes asked = outcomes(readAtPointer("OPN DB 20;\nL IW 4;\nL 16;\n*I;\nLAR1;\nL 7;\nT DBW [AR1,P#0.0];",
-                                                protectedData),
-                                  Rules{"OBL002"}, "write-protected");
+  const Outcomes asked =
+      outcomes(readAtPointer("OPN DB 20;\nL IW 4;\nL 16;\n*I;\nLAR1;\nL 7;\nT DBW [AR1,P#0.0];", protectedData),
+               Rules{"OBL002"}, "write-protected");
   ASSERT_EQ(asked.size(), 1U);
   EXPECT_NE(asked[0], Outcome::Proved);
-}
-
-/// HC1 may be above 100 once HSC has enabled it; with bit 7 of SMB47 off it does not count (001:4302), which is not
-/// followed, and the verdict says so. What does not depend on the counter says nothing of it.
-TEST(Builtin, FastCountersOfAnyValueAreNamed) {
-  const ProgramInput input =
-      inputOf("//@ prove still: never Q0.0\n//@ prove other: I0.7 implies Q0.1\n",
-              "Network 1\nLD SM0.1\nMOVB 16#40, SMB47\nMOVD 0, SMD48\nHDEF 1, 0\nHSC 1\nNetwork 2\n"
-              "LDD> HC1, 100\n= Q0.0\nNetwork 3\nLD I0.7\n= Q0.1\n");
-  const ProofRun run = prove(input.program, input.properties, usualOptions());
-  const auto names = [&](const std::string& property) {
-    const ProofResult* result = resultNamed(run, property);
-    if (result == nullptr) return std::ptrdiff_t{-1};
-    return std::ranges::count_if(result->assumptions, [](const std::string& text) {
-      return text.find("HC1 = any value") != std::string::npos;
-    });
-  };
-  EXPECT_EQ(names("still"), 1);
-  EXPECT_EQ(names("other"), 0);
 }
 
 /// Mode 12 counts the pulses of Q0.0 (001:4237): without PLS there are none.
 TEST(Builtin, FastCounterOfPulsesNeedsPulses) {
   const auto stays = [](const std::string& pulses) {
-    const ProgramInput input =
-        inputOf("//@ prove still: never Q0.1\n",
-                "Network 1\nLD SM0.1\nMOVB 16#F8, SMB37\nMOVD 0, SMD38\nHDEF 0, 12\nHSC 0\n" + pulses +
-                    "Network 2\nLDD> HC0, 100\n= Q0.1\n");
+    const ProgramInput input = inputOf("//@ prove still: never Q0.1\n",
+                                       "Network 1\nLD SM0.1\nMOVB 16#F8, SMB37\nMOVD 0, SMD38\nHDEF 0, 12\nHSC 0\n" +
+                                           pulses + "Network 2\nLDD> HC0, 100\n= Q0.1\n");
     return outcomeOf(prove(input.program, input.properties, usualOptions()), "still");
   };
   EXPECT_EQ(stays(""), Outcome::Proved);
@@ -437,8 +419,7 @@ void expectThatEveryHazardIsAsked(const Program& program, const PropertySet& set
     if (isAsked(record.hazard)) met.emplace(record.place, record.hazard);
   }
   for (const auto& [place, hazard] : met) {
-    const auto wanted =
-        std::ranges::count_if(met, [place = place](const auto& other) { return other.first == place; });
+    const auto wanted = std::ranges::count_if(met, [place = place](const auto& other) { return other.first == place; });
     EXPECT_GE(static_cast<std::ptrdiff_t>(asked.count(place)), wanted) << name << ": " << hazardInfo(hazard).text;
   }
   for (const Approximation& approximation : system.askedProperties().approximations()) {
@@ -451,9 +432,8 @@ TEST(Builtin, EveryHazardOfThePointerProgramsIsAsked) {
   const std::string ring = "OPN DB 20;\nL IW 4;\nL 16;\n*I;\nLAR1;\nL ID 8;\nLAR2;\n";
   for (const char* access : {"L DBW [AR1,P#0.0];", "T DBB [AR1,P#2.0];", "L W [AR1,P#0.0];", "T D [AR2,P#0.0];",
                              "L MW [AR2,P#0.0];", "A DBX [AR2,P#0.0];", "= M [AR2,P#0.0];", "S [AR2,P#0.0];"}) {
-    const ProgramInput input =
-        inputOfSource(dataOf(20, 500) + "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n" + ring + access +
-                      "\nEND_ORGANIZATION_BLOCK\n");
+    const ProgramInput input = inputOfSource(dataOf(20, 500) + "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n" + ring +
+                                             access + "\nEND_ORGANIZATION_BLOCK\n");
     expectThatEveryHazardIsAsked(input.program, input.properties, usualOptions(), access);
   }
 }
