@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "ir/program.hpp"
+#include "ir/s7300/declarations.hpp"
 
 namespace rungproof {
 
@@ -24,6 +25,12 @@ inline bool isFrameReadError(const Finding& finding) {
     return false;
   if (finding.rule >= firstOfFrame && finding.rule <= lastOfFrame) return true;
   return finding.network == 0 && (finding.rule < firstOfTables || finding.rule > lastOfTables);
+}
+/// Whether an error outside of networks leaves no more open than the data blocks and networks that the reader of an
+/// S7-300/400 has marked.
+inline bool isBoundedReadError(const Program& program, const Finding& finding) {
+  return program.declarations != nullptr &&
+         program.declarations->bounded.contains({finding.span.file, finding.span.offset});
 }
 /// The same, or an error of the reader of properties (PRP).
 inline bool isReadError(const Finding& finding) {

@@ -25,6 +25,16 @@ std::uint64_t addressKey(const Operand& o) {
 
 }  // namespace
 
+namespace {
+
+/// Whether the error stands in a source of an S7-300/400 that was read.
+bool isFramedByWords(const Program& program, const Finding& finding) {
+  constexpr std::string_view ofFiles[] = {"SYN001", "SYN002", "SYN006", "SYN007", "SYN050"};
+  return program.declarations != nullptr && std::ranges::find(ofFiles, finding.rule) == std::end(ofFiles);
+}
+
+}  // namespace
+
 Facts::Facts(const Program& program, std::span<const ExternalRange> externals, Surroundings around)
     : program_(program),
       surroundings_(std::move(around)),
@@ -40,7 +50,9 @@ Facts::Facts(const Program& program, std::span<const ExternalRange> externals, S
       execution_(program, plan_, calls_, stack_) {
   countUses();
   for (const Finding& finding : program.findings) {
-    hasUnreadFrame_ = hasUnreadFrame_ || isFrameReadError(finding);
+    if (isBoundedReadError(program, finding)) continue;
+    // Words frame the blocks of an S7-300/400: what is damaged ends with its block.
+    hasUnreadFrame_ = hasUnreadFrame_ || (isFrameReadError(finding) && !isFramedByWords(program, finding));
     hasUnreadCode_ = hasUnreadCode_ || (finding.network == 0 && isProgramReadError(finding));
   }
   hasHiddenCode_ = hasUnreadCode_;

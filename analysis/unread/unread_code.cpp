@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <type_traits>
 
 #include "analysis/lint/lint.hpp"
+#include "ir/block_map.hpp"
 #include "ir/s7200/call_contract.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/coverage.hpp"
+#include "ir/s7300/isa.hpp"
 #include "ir/s7300/organization_block.hpp"
 #include "ir/s7300/pointer_parameter.hpp"
 #include "ir/s7300/statement_role.hpp"
@@ -66,6 +69,7 @@ class UnreadCode::Collector {
     ofUncovered();
     ofBlocks();
     if (isStep7(program_.target)) ofStep7();
+    if (program_.declarations != nullptr) ofOpenBlocks();
   }
 
  private:
@@ -102,12 +106,23 @@ class UnreadCode::Collector {
     return false;
   }
 
+  /// Whether the statements of a network of an S7-300/400 that is not complete say what it may write.
+  bool isBounded(NetworkPlace place) const {
+    const Network& network = networkAt(place);
+    return isStep7(program_.target) && !network.complete && network.mayWrite.has_value();
+  }
+
   /// The part of a network, new with that reason if it has none yet.
-  UnreadPart& partOf(NetworkPlace place, const std::string& reason, Span span) {
+  UnreadPart& partOf(NetworkPlace place, const std::string& reason, Span span, bool isBounded = false) {
     const auto [found, isNew] = parts_.try_emplace({place.block, place.network}, code_.parts_.size());
-    if (!isNew) return code_.parts_[found->second];
+    if (!isNew) {
+      UnreadPart& known = code_.parts_[found->second];
+      known.isBounded = known.isBounded && isBounded;
+      return known;
+    }
     const Pou& pou = program_.pous[place.block];
     UnreadPart& part = add(networkName(pou, pou.networks[place.network]), reason, span);
+    part.isBounded = isBounded;
     part.networks.push_back(place);
     return part;
   }
@@ -128,22 +143,25 @@ class UnreadCode::Collector {
     for (const Finding& finding : program_.findings) {
       if (!isProgramReadError(finding)) continue;
       const NetworkPlace* place = finding.network == 0 ? nullptr : placeOf(finding);
-      UnreadPart& part = place != nullptr ? partOf(*place, finding.message, finding.span)
+      UnreadPart& part = place != nullptr ? partOf(*place, finding.message, finding.span, isBounded(*place))
                                           : add(fileOf(finding.span), finding.message, finding.span);
       part.isRefused = true;
+      part.isData = isBoundedReadError(program_, finding);
+      if (part.isData) addOpenData(part, finding.span);
+      if (part.isData) continue;
       const bool isOfProgram = isFrameReadError(finding) || (place == nullptr && finding.rule != symbolRow);
       part.isUnlimited = part.isUnlimited || (isOfProgram && !isOfIdleBlock(finding));
     }
     for (const Finding& finding : program_.findings) {
       const NetworkPlace* place = finding.network == 0 ? nullptr : placeOf(finding);
       if (place != nullptr && finding.severity == Severity::Warning && !networkAt(*place).complete)
-        partOf(*place, finding.message, finding.span);
+        partOf(*place, finding.message, finding.span, isBounded(*place));
       if (finding.rule == uncoveredBody && finding.network == 0)
         add(finding.pou, finding.message, finding.span).isUnlimited = true;
     }
     for (const auto& [network, place] : byNetwork_) {
       if (network->complete) continue;
-      UnreadPart& part = partOf(place, "a line of it could not be read", network->span);
+      UnreadPart& part = partOf(place, whyIncomplete(place), network->span, isBounded(place));
       if (!network->mayWrite) part.isUnlimited = part.isUnlimited || mayRun(place.block);
       if (!network->mayWrite || !mayRun(place.block)) continue;
       for (const Operand& operand : *network->mayWrite) part.places.push_back(rowOf(operand));
@@ -202,8 +220,49 @@ class UnreadCode::Collector {
       const std::string reason = open->kind == OperandKind::Symbol
                                      ? fmt::format("{} is not defined", open->text)
                                      : fmt::format("an operand of {} is left open", place.instruction->desc->stl);
-      partOf({place.block, place.network}, reason, place.instruction->span).isRefused = true;
+      const NetworkPlace network{place.block, place.network};
+      partOf(network, reason, place.instruction->span, isBounded(network)).isRefused = true;
     }
+  }
+
+  /// S7-300/400: the data blocks that the finding leaves open.
+  void addOpenData(UnreadPart& part, Span cause) const {
+    for (const auto& [number, span] : program_.declarations->openBlocks) {
+      if (span == cause) part.dataBlocks.push_back(number);
+    }
+    for (const s7300::OpenValue& value : program_.declarations->openValues) {
+      if (value.cause != cause) continue;
+      if (value.count == 0)
+        part.dataBlocks.push_back(value.dataBlock);
+      else
+        part.places.push_back({Area::DB, dataByte(value.dataBlock, value.first) * 8, value.count * 8});
+    }
+    std::string names;
+    for (const std::uint32_t number : part.dataBlocks)
+      names += fmt::format("{}DB{}", names.empty() ? "" : ", ", number);
+    for (const PlaceRow& row : part.places)
+      names += fmt::format("{}{}", names.empty() ? "" : ", ", addressName(Area::DB, Width::Byte, row.first / 8));
+    if (!names.empty()) part.what = names;
+  }
+
+  /// S7-300/400: networks that use data blocks of which nobody knows what stands where are no better known.
+  void ofOpenBlocks() {
+    const std::map<std::uint32_t, Span>& open = program_.declarations->openBlocks;
+    if (open.empty()) return;
+    const StatementInfluence reach(facts_);
+    for (const auto& [network, place] : byNetwork_) {
+      std::uint32_t number = 0;
+      if (!reach.mayUse(place, open, number)) continue;
+      partOf(place, fmt::format("no file says what stands in DB{}, which it may use", number), network->span, true);
+    }
+  }
+
+  std::string whyIncomplete(NetworkPlace place) const {
+    const bool isDeclared =
+        isBounded(place) && std::ranges::none_of(networkAt(place).instructions, [&](const auto& each) {
+          return openOperand(each, facts_.contracts()) != nullptr;
+        });
+    return isDeclared ? "not all declarations of its block are known" : "a line of it could not be read";
   }
 
   /// S7-300/400: blocks that the system starts, blocks without text, and what is read but not modelled. Registers are
@@ -226,7 +285,8 @@ class UnreadCode::Collector {
       partOf({place.block, place.network}, text, instruction.span);
     }
     for (UnreadPart& part : code_.parts_) {
-      for (const NetworkPlace& place : part.networks) part.isUnlimited = part.isUnlimited || mayRun(place.block);
+      for (const NetworkPlace& place : part.networks)
+        part.isUnlimited = part.isUnlimited || (!part.isBounded && mayRun(place.block));
     }
   }
 
@@ -352,41 +412,111 @@ UnreadCode::UnreadCode(const Program& program, const Choices& choices)
   if (parts_.empty()) return;
   for (const InstructionPlace& place : facts_->instructions())
     byPlace_[keyOf(place.instruction->span)] = {place.block, place.network};
-  auto influence = std::make_unique<Influence>(*facts_);
+  for (const UnreadPart& part : parts_) {
+    for (const NetworkPlace place : part.networks)
+      instructions_ += program.pous[place.block].networks[place.network].instructions.size();
+  }
+  std::uint32_t everything = Influence::none;
+  if (isStep7(program.target)) {
+    auto influence = std::make_unique<StatementInfluence>(*facts_);
+    addParts(*influence);
+    everything = influence->everything();
+    statements_ = std::move(influence);
+  } else {
+    auto influence = std::make_unique<Influence>(*facts_);
+    addParts(*influence);
+    everything = influence->everything();
+    influence_ = std::move(influence);
+  }
+  if (everything != Influence::none) everything_.push_back(causeText(everything));
+}
+
+bool UnreadCode::mayRun(NetworkPlace place) const {
+  return program_.main() == nullptr || program_.pous[place.block].kind == PouKind::Main ||
+         facts_->calls().reachedFromMain(place.block) || facts_->calls().reachedFromInterrupt(place.block);
+}
+
+template <class Spread>
+void UnreadCode::addParts(Spread& influence) {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const std::uint32_t cause = static_cast<std::uint32_t>(i) + 1;
     UnreadPart& part = parts_[i];
     for (const NetworkPlace place : part.networks) {
-      instructions_ += program.pous[place.block].networks[place.network].instructions.size();
-      const bool mayRun = program.main() == nullptr || program.pous[place.block].kind == PouKind::Main ||
-                          facts_->calls().reachedFromMain(place.block) ||
-                          facts_->calls().reachedFromInterrupt(place.block);
-      if (mayRun && !part.isUnlimited) influence->addNetwork(place, cause);
+      if (mayRun(place) && !part.isUnlimited) influence.addNetwork(place, cause);
     }
-    for (const PlaceRow& row : part.places) influence->addPlace(row, cause);
-    if (part.isUnlimited) influence->addEverything(cause);
-    part.isUnlimited = part.isUnlimited || influence->everything() == cause;
+    for (const PlaceRow& row : part.places) influence.addPlace(row, cause);
+    if constexpr (std::is_same_v<Spread, StatementInfluence>) {
+      for (const std::uint32_t number : part.dataBlocks) influence.addDataBlock(number, cause);
+    }
+    if (part.isUnlimited) influence.addEverything(cause);
+    part.isUnlimited = part.isUnlimited || influence.everything() == cause;
   }
-  influence->spread();
-  if (influence->everything() != Influence::none) everything_.push_back(causeText(influence->everything()));
-  influence_ = std::move(influence);
+  influence.spread();
+}
+
+std::uint32_t UnreadCode::causeAt(const PlaceRow& row) const {
+  return statements_ != nullptr ? statements_->causeAt(row) : influence_->causeAt(row);
+}
+
+std::uint32_t UnreadCode::causeAt(NetworkPlace place) const {
+  return statements_ != nullptr ? statements_->causeAt(place) : influence_->causeAt(place);
 }
 
 UnreadCode::~UnreadCode() = default;
 
-bool UnreadCode::hinderRuns() const {
-  return std::ranges::any_of(parts_, [](const UnreadPart& part) { return !part.isOfBlock; });
+std::string UnreadCode::hindrance() const {
+  for (const UnreadPart& part : parts_) {
+    // A program of another family is downloaded as a whole.
+    if (statements_ == nullptr && !part.isOfBlock) return texts().front();
+  }
+  if (statements_ == nullptr) return {};
+  if (isUnlimited()) return everything_.front();
+  for (std::uint32_t block = 0; block < program_.pous.size(); ++block) {
+    for (std::uint32_t network = 0; network < program_.pous[block].networks.size(); ++network) {
+      const NetworkPlace place{block, network};
+      const std::uint32_t cause = mayRun(place) ? causeAt(place) : Influence::none;
+      if (cause != Influence::none) return partText(parts_[cause - 1]);
+    }
+  }
+  return {};
 }
 
 bool UnreadCode::isRefused() const {
   return std::any_of(parts_.begin(), parts_.end(), [](const UnreadPart& part) { return part.isRefused; });
 }
 
+namespace {
+
+/// Leaves the labels, where jumps from elsewhere may end, and begins a new logic string, as the network may have done:
+/// what would go on with its own depends on it.
+void leaveOut(Network& network) {
+  if (network.instructions.empty()) return;
+  Instruction set;
+  set.desc = s7300Instructions().named("SET");
+  set.span = network.instructions.front().mnemonic();
+  set.mnemonicLength = set.span.length;
+  std::erase_if(network.instructions, [](const Instruction& each) { return each.desc->control != Control::LabelMark; });
+  network.instructions.push_back(std::move(set));
+  network.drawing = nullptr;
+}
+
+}  // namespace
+
 Program UnreadCode::executable() const {
   Program program = program_;
   for (const UnreadPart& part : parts_) {
-    for (const NetworkPlace place : part.networks)
-      program.pous[place.block].networks[place.network].instructions.clear();
+    for (const NetworkPlace place : part.networks) {
+      Network& network = program.pous[place.block].networks[place.network];
+      if (statements_ != nullptr)
+        leaveOut(network);
+      else
+        network.instructions.clear();
+    }
+  }
+  for (std::uint32_t block = 0; statements_ != nullptr && block < program.pous.size(); ++block) {
+    for (std::uint32_t n = 0; n < program.pous[block].networks.size(); ++n) {
+      if (causeAt(NetworkPlace{block, n}) != Influence::none) leaveOut(program.pous[block].networks[n]);
+    }
   }
   for (Pou& pou : program.pous) {
     for (Network& network : pou.networks) {
@@ -404,15 +534,27 @@ Program UnreadCode::executable() const {
 
 std::string UnreadCode::causeText(std::uint32_t cause) const {
   const UnreadPart& part = parts_[cause - 1];
-  return fmt::format("{} is not executed and may write {}: {} ({}:{})", part.what,
-                     part.isUnlimited ? "anything" : "what this depends on", part.reason,
-                     program_.sources->file(part.span.file).name(), program_.sources->position(part.span).line);
+  const std::string place =
+      fmt::format("{}:{}", program_.sources->file(part.span.file).name(), program_.sources->position(part.span).line);
+  if (part.isData && !part.isUnlimited)
+    return fmt::format("what {} holds is not known: {} ({})", part.what, part.reason, place);
+  return fmt::format("{} is not executed and may write {}: {} ({})", part.what,
+                     part.isUnlimited ? "anything" : "what this depends on", part.reason, place);
+}
+
+std::string UnreadCode::partText(const UnreadPart& part) const {
+  const std::string place =
+      fmt::format("{}:{}", program_.sources->file(part.span.file).name(), program_.sources->position(part.span).line);
+  if (part.isData && !part.isUnlimited)
+    return fmt::format("what {} holds is not known: {} ({})", part.what, part.reason, place);
+  return fmt::format("{} ({}) is not executed{}: {}", part.what, place,
+                     part.isUnlimited ? " and may write anything" : "", part.reason);
 }
 
 std::vector<std::string> UnreadCode::reasons(const Property& property) const {
   if (empty() || isUnlimited()) return everything_;
   std::set<std::uint32_t> causes;
-  for (const Operand* operand : addressesOf(property)) causes.insert(influence_->causeAt(rowOf(*operand)));
+  for (const Operand* operand : addressesOf(property)) causes.insert(causeAt(rowOf(*operand)));
   causes.erase(Influence::none);
   std::vector<std::string> texts;
   for (const std::uint32_t cause : causes) texts.push_back(causeText(cause));
@@ -423,14 +565,20 @@ std::vector<std::string> UnreadCode::reasons(Span instruction, std::span<const O
   if (empty() || isUnlimited()) return everything_;
   std::set<std::uint32_t> causes;
   if (const auto place = byPlace_.find(keyOf(instruction)); place != byPlace_.end())
-    causes.insert(influence_->causeAt(place->second));
+    causes.insert(causeAt(place->second));
   for (const Operand& operand : operands) {
-    if (operand.kind == OperandKind::Direct) causes.insert(influence_->causeAt(rowOf(operand)));
+    if (operand.kind == OperandKind::Direct) causes.insert(causeAt(rowOf(operand)));
   }
   causes.erase(Influence::none);
   std::vector<std::string> texts;
   for (const std::uint32_t cause : causes) texts.push_back(causeText(cause));
   return texts;
+}
+
+std::vector<std::string> UnreadCode::reasons(const Operand& place) const {
+  if (empty() || isUnlimited() || place.kind != OperandKind::Direct) return everything_;
+  const std::uint32_t cause = causeAt(rowOf(place));
+  return cause == Influence::none ? std::vector<std::string>{} : std::vector<std::string>{causeText(cause)};
 }
 
 std::vector<std::string> UnreadCode::texts() const {
@@ -440,9 +588,7 @@ std::vector<std::string> UnreadCode::texts() const {
       texts.push_back(fmt::format("{} further places are not executed", parts_.size() - mostTexts));
       break;
     }
-    texts.push_back(fmt::format(
-        "{} ({}:{}) is not executed{}: {}", part.what, program_.sources->file(part.span.file).name(),
-        program_.sources->position(part.span).line, part.isUnlimited ? " and may write anything" : "", part.reason));
+    texts.push_back(partText(part));
   }
   return texts;
 }

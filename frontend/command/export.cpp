@@ -54,6 +54,28 @@ std::unique_ptr<QuestionSystem> asWritten(const ProgramInput& input, const std::
   }
 }
 
+/// Takes out the goals that depend on what was not read; one line for each.
+std::vector<std::string> leaveOutDependent(ProgramInput& input, const UnreadCode& unread) {
+  std::vector<std::string> lines;
+  std::erase_if(input.properties.properties, [&](const Property& property) {
+    const std::vector<std::string> reasons = unread.reasons(property);
+    if (!property.isGoal() || reasons.empty()) return false;
+    lines.push_back(fmt::format("{}: {}", property.name, reasons.front()));
+    return true;
+  });
+  return lines;
+}
+
+/// Whether some goals are left that depend on nothing else: no assumption is open, no statement about the world, and no
+/// device of another family.
+bool isExportable(const ProgramInput& input, const UnreadCode& unread, bool builtin) {
+  const std::vector<Property>& properties = input.properties.properties;
+  const bool isOpen = std::ranges::any_of(
+      properties, [&](const Property& property) { return !property.isGoal() && !unread.reasons(property).empty(); });
+  return isStep7(input.program.target) && !unread.isUnlimited() && !isOpen && !builtin &&
+         input.properties.unread.empty() && std::ranges::any_of(properties, &Property::isGoal);
+}
+
 Exit run(const Arguments& arguments, Context& context) {
   ProgramInput input = readInput(context, arguments.files, arguments.properties);
   const std::set<std::string> met = keepOnly(arguments.only, input.properties);
@@ -63,11 +85,12 @@ Exit run(const Arguments& arguments, Context& context) {
   const std::vector<std::string> leftOut =
       arguments.asDownloaded ? leaveOut(input.program) : std::vector<std::string>();
   const UnreadCode unread(input.program, context.settings.choices());
-  if (std::ranges::any_of(input.program.findings, isReadError) || !unread.empty()) {
-    // A system of what was understood would prove the wrong thing, so the reasons are shown instead.
-    printUnread(context, "export", input.program, unread, arguments.files);
-    return Exit::Failed;
-  }
+  const bool isUnread = std::ranges::any_of(input.program.findings, isReadError) || !unread.empty();
+  // A system of what was understood would prove the wrong thing, so the reasons are shown instead; what does not depend
+  // on it is exported.
+  if (isUnread) printUnread(context, "export", input.program, unread, arguments.files);
+  const std::vector<std::string> notCovered = isUnread ? leaveOutDependent(input, unread) : std::vector<std::string>();
+  if (isUnread && !isExportable(input, unread, arguments.builtin)) return Exit::Failed;
   if (!unread.isWhole()) input.program = unread.executable();
   if (input.program.main() == nullptr)
     return context.fail(
@@ -89,13 +112,14 @@ Exit run(const Arguments& arguments, Context& context) {
   }
   ExportRemarks remarks = remarksOf(input, side, options);
   for (const std::string& line : leftOut) remarks.push_back("left out: " + line);
+  for (const std::string& line : notCovered) remarks.push_back("not covered: " + line);
   const TransitionSystem system = withExactReals(side.system(), RealScope::All);
   bool isWritten = true;
   for (const OutputRequest& request : context.outputs) {
     const OutputRequest target{request.name, request.file.empty() ? arguments.output : request.file};
     isWritten = context.write(target, textOf(request.name, system, options.bound, remarks)) && isWritten;
   }
-  return isWritten ? Exit::Clean : Exit::Failed;
+  return isWritten && !isUnread ? Exit::Clean : Exit::Failed;
 }
 
 Action setup(ArgumentTable& table) {

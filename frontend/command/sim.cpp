@@ -365,29 +365,50 @@ bool stream(Simulator& simulator, GivenValues* given, const Job& job, std::uint6
   return isWritten;
 }
 
+/// Takes the columns out of which nobody knows what they hold; those that were asked for are failures.
+void leaveOutUnknown(Job& job, const UnreadCode& unread, bool isAsked, std::vector<Failure>& failures) {
+  const auto reasonOf = [&](const TraceSignal& signal) {
+    const std::vector<std::string> reasons = unread.reasons(signal.operand);
+    return reasons.empty() ? std::string() : reasons.front();
+  };
+  std::erase_if(job.signals, [&](const TraceSignal& signal) {
+    const std::string reason = reasonOf(signal);
+    const bool isExpected = job.expected && job.expected->indexOf(signal) >= 0;
+    if (!reason.empty() && (isAsked || isExpected))
+      failures.push_back({fmt::format("{} has no known value", toString(signal.operand)), {}, reason});
+    return !reason.empty();
+  });
+}
+
 Exit run(const Arguments& arguments, Context& context) {
   Program text = readFiles(context, arguments.files);
   std::vector<std::string> leftOut = arguments.asDownloaded ? leaveOut(text) : std::vector<std::string>();
   Report report = startReport("sim", text, arguments.files);
   report.coverage.leftOut = std::move(leftOut);
   const UnreadCode unread(text);
-  if (unread.hinderRuns()) {
+  if (const std::string hindrance = unread.hindrance(); !hindrance.empty()) {
     // A run of the rest would be the run of another program.
     std::erase_if(report.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
     addUnread(report, text, unread);
     report.reasons.push_back({Exit::Failed, "the program is not run"});
-    context.err << fmt::format("rungproof: the program is not run: {}\n", unread.texts().front());
+    context.err << fmt::format("rungproof: the program is not run: {}\n", hindrance);
     finish(context, std::move(report));
     return Exit::Failed;
   }
   const Program program = unread.executable();
+  // The run does without it, but not everything could be read.
+  if (unread.isRefused()) {
+    printUnread(context, "sim", text, unread, arguments.files);
+    report.reasons.push_back({Exit::Failed, "a part that this run does not need is refused"});
+  }
   report.findings.clear();  // warnings of the readers are lint's
   if (program.main() == nullptr)
     return context.fail(
         {"there is no main program to run", arguments.files.front(), "give the file that holds the main program"});
 
   Preparation preparation(arguments, context, program);
-  const Job job = preparation.job();
+  Job job = preparation.job();
+  leaveOutUnknown(job, unread, !arguments.signals.empty(), preparation.failures);
   if (!preparation.failures.empty()) return failAll(context, preparation.failures);
 
   SimulatorOptions options;
@@ -440,7 +461,8 @@ Exit run(const Arguments& arguments, Context& context) {
   // Nothing else was asked for: the trace itself is the result, and what there is to say goes beside it.
   if (!job.stream && !writeTrace(context, "-", named(std::move(trace), arguments.signalNames()), ""))
     return Exit::Failed;
-  if (report.findings.empty() && report.coverage.leftOut.empty()) return Exit::Clean;
+  if (report.findings.empty() && report.coverage.leftOut.empty())
+    return unread.isRefused() ? Exit::Failed : Exit::Clean;
   Context beside{context.settings, context.in, context.err, context.err, false, context.progress, context.outputs};
   return finish(beside, std::move(report));
 }

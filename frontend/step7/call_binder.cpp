@@ -152,8 +152,8 @@ bool StatementBinder::call(const Desc& desc, const Statement& statement) {
          return parameters->field(argument.formal.text) == nullptr;
        }));
   if (parameters == nullptr || isOtherFc)
-    return refuse(Syntax::BlockMissing, statement.operand.span,
-                  fmt::format("{} is in none of the files", toString(callee)), standInHelp);
+    return miss(Syntax::BlockMissing, statement.operand.span,
+                fmt::format("{} is in none of the files", toString(callee)), standInHelp);
   const bool isBlockWithInstance = callee.kind == BlockKind::Fb || callee.kind == BlockKind::Sfb;
   Instruction instruction;
   rungproof::Operand number = constant(irNumber(callee), ConstantForm::Typed);
@@ -213,7 +213,7 @@ std::optional<rungproof::Operand> StatementBinder::instanceOf(const Statement& s
   }
   const CatalogueEntry* entry = catalogue_.entry(*bound.block);
   if (entry == nullptr) {
-    refuse(Syntax::BlockMissing, written.span, fmt::format("{} is in none of the files", toString(*bound.block)));
+    miss(Syntax::BlockMissing, written.span, fmt::format("{} is in none of the files", toString(*bound.block)));
     return std::nullopt;
   }
   if (bound.block->number > lastDataBlock) {

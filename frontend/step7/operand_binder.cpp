@@ -155,8 +155,18 @@ BoundOperand OperandBinder::bind(const Operand& operand, BlockScope& scope) {
     }
   }();
   result.operand.span = operand.span;
+  if (!result.fault.empty()) result.dataBlock = dataBlockOf(operand);
   if (!result.fault.empty() && result.faultSpan.length == 0) result.faultSpan = operand.span;
   return result;
+}
+
+/// The data block that stands before the place of an operand; 0: none, or it has no number.
+std::uint32_t OperandBinder::dataBlockOf(const Operand& operand) const {
+  const bool isSymbol = operand.form == OperandForm::Symbol && !operand.path.empty();
+  if (!isSymbol && (operand.form != OperandForm::Address || !operand.block)) return 0;
+  const std::optional<BlockKey> key =
+      catalogue_.keyOf(operand.block ? *operand.block : BlockName{std::nullopt, 0, operand.name, operand.span});
+  return key && key->kind == BlockKind::Db && key->number <= lastDataBlock ? key->number : 0;
 }
 
 BoundOperand OperandBinder::blockNamed(BlockKey key, const Operand& operand) {

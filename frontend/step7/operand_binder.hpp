@@ -34,6 +34,7 @@ struct BoundOperand {
   std::optional<BlockKey> block{};      ///< the operand names a block
   std::optional<Constant> constant{};   ///< the operand is a constant
   std::string fault{};                  ///< why it cannot be bound
+  std::uint32_t dataBlock = 0;          ///< of a fault: the data block in which the place would be; 0: not known
   Syntax code = Syntax::NameUndefined;  ///< of the fault
   Span faultSpan{};
   std::string_view help{};  ///< what to do about it, where the rule does not know
@@ -53,6 +54,7 @@ class OperandBinder {
   BoundOperand dataField(const Operand& operand, BlockKey block);
   BoundOperand indirect(const Operand& operand, BlockScope& scope);
   BoundOperand parameterAddress(const Operand& operand, BlockScope& scope);
+  std::uint32_t dataBlockOf(const Operand& operand) const;
   BoundOperand blockNamed(BlockKey key, const Operand& operand);
 
   const BlockCatalogue& catalogue_;

@@ -1,8 +1,12 @@
 // The sinks of all files of a project, for those who look at all of them at once.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "frontend/stl/syntax_sink.hpp"
 
@@ -31,6 +35,22 @@ class Reports {
     sink.setPlace({}, 0);
     if (!help.empty() && program_.findings.size() > before) program_.findings.back().help = help;
   }
+  /// The same of something that may be missed at many places: the first one gets the finding, which counts the others.
+  void reportOnce(Syntax code, Span span, std::string message, const std::string& block, int network,
+                  const std::string& help = {}) {
+    const auto [known, isNew] = missed_.try_emplace({code, message}, Missed{program_.findings.size(), {}});
+    known->second.uses.emplace(span.file, span.offset);
+    if (!isNew) return;
+    report(code, span, std::move(message), block, network, help);
+    if (program_.findings.size() == known->second.finding) missed_.erase(known);  // too many findings
+  }
+  /// Writes the counts into the findings; call when all is read.
+  void countUses() {
+    for (const auto& [what, missed] : missed_) {
+      if (missed.uses.size() > 1)
+        program_.findings[missed.finding].message += fmt::format(" ({} uses, this is the first)", missed.uses.size());
+    }
+  }
   /// A second place for the finding reported last.
   void relate(Span span, std::string message) {
     if (!program_.findings.empty()) program_.findings.back().related.push_back({span, std::move(message)});
@@ -39,8 +59,14 @@ class Reports {
  private:
   SyntaxSink& sinkOf(Span span) { return sinks_.try_emplace(span.file, program_, span.file).first->second; }
 
+  struct Missed {
+    std::size_t finding;                                     ///< index in Program::findings
+    std::set<std::pair<std::uint32_t, std::uint32_t>> uses;  ///< file and first byte
+  };
+
   Program& program_;
   std::map<std::uint32_t, SyntaxSink> sinks_;
+  std::map<std::pair<Syntax, std::string>, Missed> missed_;
 };
 
 }  // namespace rungproof::step7

@@ -37,7 +37,7 @@ class SourceParser {
         noteDirectives(remarks, source_.directives, 0);
         sink_.report(Syntax::BlockNotOpen, cursor_.span(cursor_.at() - length(word), cursor_.at()),
                      fmt::format("{} without its heading", word));
-      } else if (source_.blocks.empty()) {
+      } else if (source_.blocks.empty() && !hasHeadingBehind()) {
         listing(remarks);
       } else {
         noteDirectives(remarks, source_.directives, 0);
@@ -68,6 +68,18 @@ class SourceParser {
     std::string text(trimmed(cursor_.slice(cursor_.at(), std::max(cursor_.at(), end))));
     cursor_.to(std::max(cursor_.at(), end));
     return text;
+  }
+
+  /// Whether a line further on opens a block: what stands before it is no list without a head.
+  bool hasHeadingBehind() const {
+    const std::string_view text = cursor_.text();
+    for (std::size_t at = text.find('\n', cursor_.at()); at != std::string_view::npos; at = text.find('\n', at + 1)) {
+      const std::string_view line = trimmed(text.substr(at + 1, text.find('\n', at + 1) - at - 1));
+      std::size_t length = 0;
+      while (length < line.size() && isWordByte(line[length])) ++length;
+      if (opensBlock(sourceKeywordOf(line.substr(0, length)))) return true;
+    }
+    return false;
   }
 
   /// Lines between blocks: reported once, up to the next heading.
@@ -275,6 +287,8 @@ class SourceParser {
       cursor_.take(';');
       return;
     }
+    block.isOpen = true;
+    if (block.kind == BlockKind::Db || block.kind == BlockKind::Udt) block.declarationsRead = false;
     if (endsBlock(keyword)) {
       const std::string_view word = cursor_.peekWord();
       sink_.report(Syntax::BlockOpen, cursor_.span(cursor_.at(), cursor_.at() + length(word)),

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "ir/block_map.hpp"
 #include "ir/check.hpp"
 #include "ir/s7300/isa.hpp"
 
@@ -65,8 +66,32 @@ bool StatementBinder::refuse(Syntax code, Span span, std::string message, std::s
   return false;
 }
 
+bool StatementBinder::miss(Syntax code, Span span, std::string message, std::string_view help) {
+  reports_.reportOnce(code, span, std::move(message), scope_->name, network_ != nullptr ? network_->number : 0,
+                      std::string(help));
+  return false;
+}
+
 bool StatementBinder::refuse(const BoundOperand& operand) {
-  return refuse(operand.code, operand.faultSpan, operand.fault, operand.help);
+  const bool isMissing = operand.code == Syntax::NameUndefined || operand.code == Syntax::BlockMissing;
+  return isMissing ? miss(operand.code, operand.faultSpan, operand.fault, operand.help)
+                   : refuse(operand.code, operand.faultSpan, operand.fault, operand.help);
+}
+
+bool StatementBinder::keep(const Statement& statement, const BoundOperand& bound) {
+  const Desc* desc = descOf(statement.mnemonic.text, set_);
+  if (desc == nullptr || desc->operandCount == 0 || desc->control != Control::None) return false;
+  rungproof::Operand operand;
+  operand.kind = OperandKind::Symbol;
+  const std::uint32_t block = isMissing(bound) ? std::min(bound.block->number, lastDataBlock) : bound.dataBlock;
+  operand.area = block != 0 ? Area::DB : Area::V;
+  operand.offset = dataByte(block, 0);
+  operand.text =
+      std::string(reports_.program().sources->file(statement.operand.span.file).text(statement.operand.span));
+  operand.span = statement.operand.span;
+  append(*desc, statement, {std::move(operand)});
+  isKept_ = true;
+  return false;
 }
 
 void StatementBinder::findLabels(const BlockSyntax& block, BlockScope& scope) {
@@ -92,9 +117,15 @@ void StatementBinder::bind(const NetworkSyntax& syntax, MnemonicSet set, BlockSc
   set_ = set;
   scope_ = &scope;
   network_ = &network;
+  bool isBounded = true;
   for (const Statement& each : syntax.statements) {
-    if (!statement(each)) network.complete = false;
+    isKept_ = false;
+    if (statement(each)) continue;
+    network.complete = false;
+    isBounded = isBounded && isKept_;
   }
+  // What it may write is what its instructions write.
+  if (!network.complete && isBounded) network.mayWrite.emplace();
   network_ = nullptr;
 }
 
@@ -146,7 +177,10 @@ bool StatementBinder::statement(const Statement& statement) {
       operand.constant.emplace();
     } else {
       operand = operands_.bind(statement.operand, *scope_);
-      if (!operand.fault.empty()) return refuse(operand);
+      if (!operand.fault.empty()) {
+        refuse(operand);
+        return operand.code != Syntax::Operand7 && keep(statement, operand);
+      }
     }
   }
   const Desc* desc = instruction(statement, operand);
@@ -154,7 +188,7 @@ bool StatementBinder::statement(const Statement& statement) {
     return refuse(Syntax::Operand7,
                   statement.operand.form == OperandForm::None ? statement.mnemonic.span : statement.operand.span,
                   fmt::format("{} takes another operand", mnemonic));
-  if (!operandFits(*desc, statement, operand)) return false;
+  if (!operandFits(*desc, statement, operand)) return isMissing(operand) && keep(statement, operand);
   rungproof::Operands operands;
   if (desc->operandCount > 0 && operand.operand.kind != OperandKind::Missing)
     operands.push_back(std::move(operand.operand));
@@ -210,6 +244,12 @@ bool isTooWide(const s7300::Constant& constant) {
 
 }  // namespace
 
+/// A data block that no file defines. OPN DB 0 opens none.
+bool StatementBinder::isMissing(const BoundOperand& bound) const {
+  return bound.block && bound.block->kind == BlockKind::Db && bound.operand.kind == OperandKind::Direct &&
+         bound.block->number != 0 && catalogue_.entry(*bound.block) == nullptr;
+}
+
 bool StatementBinder::operandFits(const Desc& desc, const Statement& statement, const BoundOperand& bound) {
   const std::string& mnemonic = statement.mnemonic.text;
   const rungproof::Operand& operand = bound.operand;
@@ -258,10 +298,8 @@ bool StatementBinder::operandFits(const Desc& desc, const Statement& statement, 
         (bound.block && bound.block->kind == BlockKind::Db) || (bound.type && bound.type->kind == TypeKind::BlockDb);
     if (!isDataBlock) return refuse(Syntax::Operand7, span, fmt::format("{} takes a data block", mnemonic));
     if (refuseOpaque(bound, span)) return false;
-    const bool isMissing = bound.block && bound.operand.kind == OperandKind::Direct && bound.block->number != 0 &&
-                           catalogue_.entry(*bound.block) == nullptr;
-    return !isMissing ||
-           refuse(Syntax::BlockMissing, span, fmt::format("{} is in none of the files", toString(*bound.block)));
+    return !isMissing(bound) ||
+           miss(Syntax::BlockMissing, span, fmt::format("{} is in none of the files", toString(*bound.block)));
   }
   if (bound.block)
     return refuse(Syntax::Operand7, span, fmt::format("{} does not take {}", mnemonic, toString(*bound.block)));

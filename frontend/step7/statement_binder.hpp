@@ -25,6 +25,7 @@ class StatementBinder {
   bool statement(const Statement& statement);
   const Desc* instruction(const Statement& statement, const BoundOperand& operand);
   bool operandFits(const Desc& desc, const Statement& statement, const BoundOperand& operand);
+  bool isMissing(const BoundOperand& bound) const;
   std::optional<rungproof::Operand> condition(const Statement& statement) const;
   bool jump(const Desc& desc, const Statement& statement);
   bool call(const Desc& desc, const Statement& statement);
@@ -43,6 +44,11 @@ class StatementBinder {
   void append(const Desc& desc, const Statement& statement, rungproof::Operands operands);
   bool refuse(Syntax code, Span span, std::string message, std::string_view help = {});
   bool refuse(const BoundOperand& operand);
+  /// The same for something that no file defines: one finding for all its uses.
+  bool miss(Syntax code, Span span, std::string message, std::string_view help = {});
+  /// Keeps a statement whose operand nobody knows, so that what it does to registers and which network it stands in are
+  /// known; false.
+  bool keep(const Statement& statement, const BoundOperand& operand);
 
   const BlockCatalogue& catalogue_;
   OperandBinder operands_;
@@ -52,6 +58,7 @@ class StatementBinder {
   MnemonicSet set_ = MnemonicSet::International;
   BlockScope* scope_ = nullptr;
   Network* network_ = nullptr;
+  bool isKept_ = false;  ///< the statement that could not be bound stands among the instructions
 };
 
 }  // namespace rungproof::step7

@@ -131,6 +131,8 @@ class ProjectBuilder {
     addLibraryBlocks(statements);
     placeHandedPointers(program_);
     addDirectivesOutside();
+    noteBounds();
+    reports_.countUses();
     program_.declarations = declarations_;
   }
 
@@ -199,6 +201,11 @@ class ProjectBuilder {
                       fmt::format("{} is not between DB1 and DB{}", entry.name, lastDataBlock), entry.name, 0);
       return;
     }
+    if (const TypeTable::Doubt doubt = types_->doubtOf(entry.key); doubt.type && !types_->isOpaque(entry.key)) {
+      declarations_->openBlocks.emplace(number, doubt.cause);
+    } else if (doubt.value) {
+      declarations_->openValues.push_back({number, 0, 0, doubt.cause});
+    }
     if (structure == nullptr) return;
     DataBlock block;
     block.number = number;
@@ -226,12 +233,16 @@ class ProjectBuilder {
                       isIndex ? fmt::format("{} has no such element", step.name)
                               : fmt::format("{} declares no {}", entry.name, step.name),
                       entry.name, 0);
+      declarations_->openValues.push_back({entry.key.number, 0, 0, step.span});
       return;
     }
     if (found.type->kind == TypeKind::Unknown) return;
     const auto fault = s7300::writeValues(*found.type, assignment.values, found.byte, found.bit, bytes);
     if (!fault) return;
     const Constant& value = assignment.values[std::min(fault->value, assignment.values.size() - 1)];
+    declarations_->openValues.push_back({entry.key.number, found.byte,
+                                         std::max(1U, static_cast<std::uint32_t>(s7300::sizeOf(*found.type))),
+                                         value.span});
     reports_.report(Syntax::ValueOfType, value.span,
                     fault->tooMany ? fmt::format("{} has fewer elements than values", assignment.path.back().name)
                                    : fmt::format("the value is no {}", s7300::toString(*found.type)),
@@ -272,6 +283,8 @@ class ProjectBuilder {
     }
     statements.findLabels(syntax, scope);
     const MnemonicSet set = sets_[syntax.heading.file];
+    // Where a type is not known, nobody knows where what is declared behind it lies.
+    const bool isInDoubt = types_->doubtOf(syntax).type || (isInstance && types_->doubtOf(entry.key).type);
     for (const NetworkSyntax& each : syntax.networks) {
       Network& network = pou.networks.emplace_back();
       network.number = each.number;
@@ -279,7 +292,13 @@ class ProjectBuilder {
       network.span = each.span;
       for (const Remark& remark : each.remarks) network.comments.push_back({remark.span});
       statements.bind(each, set, scope, network);
-      if (each.isUnread) network.complete = false;
+      if (each.isUnread) network.mayWrite.reset();
+      if (isInDoubt && network.complete && !each.isUnread) network.mayWrite.emplace();
+      if (each.isUnread || isInDoubt) network.complete = false;
+    }
+    if (syntax.isOpen && !pou.networks.empty()) {  // statements may be missing behind the last one
+      pou.networks.back().complete = false;
+      pou.networks.back().mayWrite.reset();
     }
     std::uint32_t local = std::max(static_cast<std::uint32_t>(scope.temporary->size), scope.localBytes);
     if (entry.key.kind == BlockKind::Ob) local = std::max(local, startInformationBytes);
@@ -361,6 +380,32 @@ class ProjectBuilder {
     }
     pou.localBytes = static_cast<std::uint32_t>(scope.temporary->size + 1) & ~1U;
     program_.pous.push_back(std::move(pou));
+  }
+
+  /// Whether a finding outside of networks, in that block, leaves open no more than its data, or than its networks
+  /// that are not complete then. What a damaged heading names, and what a file that ends in the midst has lost, may be
+  /// anything.
+  static bool isBounded(const Finding& finding, const BlockSyntax& block, bool isLast) {
+    constexpr Syntax ofDeclarations[] = {Syntax::Declaration7, Syntax::Assignment7,   Syntax::TypeUndefined,
+                                         Syntax::ValueOfType,  Syntax::NameUndefined, Syntax::BlockHeading7,
+                                         Syntax::NotModelled};
+    if (finding.network != 0 || !finding.span.beginsIn(block.span)) return false;
+    if (finding.rule == syntaxMessage(Syntax::BlockOpen).id) return !isLast;
+    const bool isOfHeading =
+        finding.rule == syntaxMessage(Syntax::BlockHeading7).id && finding.span.beginsIn(block.heading);
+    return !isOfHeading &&
+           std::ranges::any_of(ofDeclarations, [&](Syntax code) { return finding.rule == syntaxMessage(code).id; });
+  }
+
+  void noteBounds() {
+    for (const SourceSyntax& source : sources_) {
+      for (const BlockSyntax& block : source.blocks) {
+        const bool isLast = &block == &source.blocks.back();
+        for (const Finding& finding : program_.findings) {
+          if (isBounded(finding, block, isLast)) declarations_->bounded.emplace(finding.span.file, finding.span.offset);
+        }
+      }
+    }
   }
 
   void addDirectivesOutside() {

@@ -155,6 +155,7 @@ struct BlockSyntax {
   std::vector<Remark> remarks;
   std::vector<DirectiveSyntax> directives;
   bool hasBody = false;          ///< BEGIN was there
+  bool isOpen = false;           ///< its end is missing
   bool declarationsRead = true;  ///< false: one of them, or the heading, has a finding
 };
 

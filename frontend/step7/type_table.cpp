@@ -29,8 +29,8 @@ Type TypeTable::named(const TypeSyntax& syntax) {
   Type type;
   const BlockName& name = *syntax.named;
   const auto unknown = [&](std::string message) {
-    sawUnknown_ = true;
-    reports_.report(Syntax::TypeUndefined, name.span, std::move(message));
+    doubtType(name.span);
+    reports_.reportOnce(Syntax::TypeUndefined, name.span, std::move(message), {}, 0);
     return type;
   };
   const std::optional<BlockKey> key = catalogue_.keyOf(name);
@@ -40,7 +40,7 @@ Type TypeTable::named(const TypeSyntax& syntax) {
   if (inProgress_.contains(*key)) return unknown(fmt::format("{} contains itself", toString(name)));
   const std::shared_ptr<const Structure> found = structure(*key);
   if (found == nullptr) return unknown(fmt::format("nothing defines the type {}", toString(name)));
-  if (!isKnown(*key)) sawUnknown_ = true;
+  doubt_.add(doubtOf(*key));
   type.kind = TypeKind::Struct;
   type.structure = found;
   type.name = fmt::format("{} {}", blockKindName(key->kind), key->number);
@@ -50,7 +50,7 @@ Type TypeTable::named(const TypeSyntax& syntax) {
 Type TypeTable::resolve(const TypeSyntax& syntax) {
   if (syntax.named) return named(syntax);
   Type type = syntax.elementary;
-  if (type.kind == TypeKind::Unknown) sawUnknown_ = true;  // has been reported
+  if (type.kind == TypeKind::Unknown) doubtType(syntax.span);  // has been reported
   if (type.kind == TypeKind::Array) {
     type.bounds = syntax.bounds;
     const Type element = resolve(*syntax.element);
@@ -67,7 +67,7 @@ Type TypeTable::resolve(const TypeSyntax& syntax) {
 
 std::optional<Field> TypeTable::field(const DeclarationSyntax& declaration) {
   if (!declaration.view.empty()) {
-    sawUnknown_ = true;
+    doubtType(declaration.span);
     reports_.report(Syntax::Declaration7, declaration.span,
                     fmt::format("{}: views with AT are not covered", declaration.name.text));
     return std::nullopt;
@@ -78,7 +78,7 @@ std::optional<Field> TypeTable::field(const DeclarationSyntax& declaration) {
   field.section = declaration.section;
   field.type = resolve(*declaration.type);
   if (s7300::sizeOf(field.type) > longestStructure) {
-    sawUnknown_ = true;
+    doubtType(declaration.name.span);
     reports_.report(Syntax::NotModelled, declaration.name.span,
                     fmt::format("{} has more than {} bytes", field.name, longestStructure));
     return std::nullopt;
@@ -87,6 +87,7 @@ std::optional<Field> TypeTable::field(const DeclarationSyntax& declaration) {
   std::vector<std::uint8_t> scratch(s7300::sizeOf(field.type));
   if (const auto fault = s7300::writeValues(field.type, declaration.initial, 0, 0, scratch)) {
     const Constant& value = declaration.initial[std::min(fault->value, declaration.initial.size() - 1)];
+    doubt_.add({false, true, value.span});
     reports_.report(Syntax::ValueOfType, value.span,
                     fault->tooMany ? fmt::format("{} has fewer elements than values", field.name)
                                    : fmt::format("the value is no {}", s7300::toString(field.type)));
@@ -108,6 +109,7 @@ void TypeTable::append(const std::vector<DeclarationSyntax>& declarations, std::
     const auto [twin, isNew] = fieldOf.emplace(s7300::foldedName(made->name), structure.fields.size());
     if (!isNew) {
       const Span first = structure.fields[twin->second].span;
+      doubtType(made->span);
       reports_.report(Syntax::Declaration7, made->span, fmt::format("{} is declared twice", made->name));
       if (first.length > 0) reports_.relate(first, "the first declaration");
       continue;
@@ -118,7 +120,7 @@ void TypeTable::append(const std::vector<DeclarationSyntax>& declarations, std::
 
 void TypeTable::checkSize(const Structure& structure, const BlockSyntax& block) {
   if (structure.size <= longestStructure) return;
-  sawUnknown_ = true;
+  doubtType(block.heading);
   reports_.report(Syntax::NotModelled, block.heading,
                   fmt::format("the block has {} bytes, more than {}", structure.size, longestStructure));
 }
@@ -135,14 +137,26 @@ bool TypeTable::isOpaque(BlockKey key) const {
   return of && of->kind == BlockKind::Sfb && s7300::libraryBlock(BlockType::Sfb, of->number) == nullptr;
 }
 
+void TypeTable::Doubt::add(const Doubt& other) {
+  const bool isNew = (other.type && !type) || (other.value && !type && !value);
+  if (isNew) cause = other.cause;
+  type = type || other.type;
+  value = value || other.value;
+}
+
+TypeTable::Doubt TypeTable::doubtOf(BlockKey key) const {
+  const auto found = doubts_.find(key);
+  return found == doubts_.end() ? Doubt{} : found->second;
+}
+
 std::shared_ptr<const Structure> TypeTable::structure(BlockKey key) {
   if (const auto found = made_.find(key); found != made_.end()) return found->second;
-  const bool sawBefore = std::exchange(sawUnknown_, false);
+  const Doubt before = std::exchange(doubt_, {});
   inProgress_.insert(key);
   std::shared_ptr<const Structure> structure = make(key);
   inProgress_.erase(key);
-  if (sawUnknown_) unknown_.insert(key);
-  sawUnknown_ = sawBefore;
+  if (doubt_.type || doubt_.value) doubts_.emplace(key, doubt_);
+  doubt_ = before;
   made_.emplace(key, structure);
   return structure;
 }
@@ -155,13 +169,13 @@ std::shared_ptr<const Structure> TypeTable::make(BlockKey key) {
     return library != nullptr ? s7300::interfaceOf(*library) : nullptr;
   }
   const BlockSyntax& block = *entry->syntax;
-  if (!block.declarationsRead) sawUnknown_ = true;
+  if (!block.declarationsRead) doubtType(block.heading);
   auto structure = std::make_shared<Structure>();
   if (key.kind == BlockKind::Fb) {
     append(block.declarations, {Section::Input, Section::Output, Section::InOut, Section::Static}, *structure);
     layOutInstance(*structure);
   } else if (isOpaque(key)) {
-    sawUnknown_ = true;
+    doubtType(block.heading);
   } else if (block.type != nullptr) {
     const Type type = resolve(*block.type);
     if (type.kind == TypeKind::Struct && type.structure != nullptr) return type.structure;
@@ -179,37 +193,53 @@ std::shared_ptr<const Structure> TypeTable::make(BlockKey key) {
   return structure;
 }
 
-std::shared_ptr<const Structure> TypeTable::parameters(const BlockSyntax& block) {
+TypeTable::Doubt TypeTable::doubtOf(const BlockSyntax& block) const {
+  const auto found = partDoubts_.find(&block);
+  Doubt doubt = found == partDoubts_.end() ? Doubt{} : found->second;
+  if (!block.declarationsRead) doubt.add({true, false, block.heading});
+  return doubt;
+}
+
+template <class Make>
+std::shared_ptr<const Structure> TypeTable::partOf(const BlockSyntax& block, Make&& make) {
+  const Doubt before = std::exchange(doubt_, {});
   auto structure = std::make_shared<Structure>();
-  append(block.declarations, {Section::Input, Section::Output, Section::InOut}, *structure);
-  std::ranges::stable_sort(structure->fields, {}, &Field::section);
-  if (block.type != nullptr) {
+  make(*structure);
+  partDoubts_[&block].add(doubt_);
+  doubt_ = before;
+  return structure;
+}
+
+std::shared_ptr<const Structure> TypeTable::parameters(const BlockSyntax& block) {
+  const auto [known, isNew] = parameters_.try_emplace(&block);
+  if (!isNew) return known->second;
+  known->second = partOf(block, [&](Structure& structure) {
+    append(block.declarations, {Section::Input, Section::Output, Section::InOut}, structure);
+    std::ranges::stable_sort(structure.fields, {}, &Field::section);
+    if (block.type == nullptr) return;
     Field value;
     value.type = resolve(*block.type);
-    if (value.type.kind != TypeKind::Void) {
-      value.name = "RET_VAL";
-      value.section = Section::Output;
-      value.span = block.heading;
-      const auto first =
-          std::ranges::find_if(structure->fields, [](const Field& field) { return field.section != Section::Input; });
-      structure->fields.insert(first, std::move(value));
-    }
-  }
-  return structure;
+    if (value.type.kind == TypeKind::Void) return;
+    value.name = "RET_VAL";
+    value.section = Section::Output;
+    value.span = block.heading;
+    const auto first =
+        std::ranges::find_if(structure.fields, [](const Field& field) { return field.section != Section::Input; });
+    structure.fields.insert(first, std::move(value));
+  });
+  return known->second;
 }
 
 std::shared_ptr<const Structure> TypeTable::constants(const BlockSyntax& block) {
-  auto structure = std::make_shared<Structure>();
-  append(block.constants, {Section::Static}, *structure);
-  return structure;
+  return partOf(block, [&](Structure& structure) { append(block.constants, {Section::Static}, structure); });
 }
 
 std::shared_ptr<const Structure> TypeTable::temporary(const BlockSyntax& block) {
-  auto structure = std::make_shared<Structure>();
-  append(block.declarations, {Section::Temp}, *structure);
-  layOut(*structure);
-  checkSize(*structure, block);
-  return structure;
+  return partOf(block, [&](Structure& structure) {
+    append(block.declarations, {Section::Temp}, structure);
+    layOut(structure);
+    checkSize(structure, block);
+  });
 }
 
 }  // namespace rungproof::step7

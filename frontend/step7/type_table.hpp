@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include "frontend/step7/block_catalogue.hpp"
 #include "ir/s7300/declaration.hpp"
@@ -29,7 +30,18 @@ class TypeTable {
   /// Whether a data block is the instance of an SFB that no table describes: what stands in it is not known.
   bool isOpaque(BlockKey key) const;
   /// Whether all types of the structure of that block are known.
-  bool isKnown(BlockKey key) const { return !unknown_.contains(key); }
+  bool isKnown(BlockKey key) const { return !doubtOf(key).type; }
+  /// What is not known of a structure, and the finding that says so.
+  struct Doubt {
+    bool type = false;   ///< a type: what stands where
+    bool value = false;  ///< an initial value
+    Span cause;
+
+    void add(const Doubt& other);
+  };
+  Doubt doubtOf(BlockKey key) const;
+  /// What is not known of the parameters, constants and temporary data of a block that have been asked for.
+  Doubt doubtOf(const BlockSyntax& block) const;
 
  private:
   s7300::Type resolve(const TypeSyntax& syntax);
@@ -44,8 +56,16 @@ class TypeTable {
   Reports& reports_;
   std::map<BlockKey, std::shared_ptr<const s7300::Structure>> made_;
   std::set<BlockKey> inProgress_;
-  std::set<BlockKey> unknown_;
-  bool sawUnknown_ = false;  ///< since it was last cleared
+  void doubtType(Span cause) { doubt_.add({true, false, cause}); }
+
+  /// Asks for a part of the block, and keeps what is in doubt of it.
+  template <class Make>
+  std::shared_ptr<const s7300::Structure> partOf(const BlockSyntax& block, Make&& make);
+
+  std::map<const BlockSyntax*, std::shared_ptr<const s7300::Structure>> parameters_;
+  std::map<const BlockSyntax*, Doubt> partDoubts_;
+  std::map<BlockKey, Doubt> doubts_;
+  Doubt doubt_;  ///< since it was last cleared
 };
 
 }  // namespace rungproof::step7

@@ -6,20 +6,37 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "ir/operand.hpp"
 #include "ir/s7300/declaration.hpp"
+#include "ir/source.hpp"
 
 namespace rungproof::s7300 {
+
+/// Bytes of a data block of which no file tells what they hold when it is loaded.
+struct OpenValue {
+  std::uint32_t dataBlock = 0;
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;  ///< 0: all of them
+  Span cause;               ///< place of the finding that says so
+};
 
 struct Declarations {
   std::map<std::uint32_t, std::shared_ptr<const Structure>> dataBlocks;  ///< by number
   std::map<std::string, std::uint32_t> dataBlockNames;                   ///< by foldedName() of the symbol
   std::map<int, std::shared_ptr<const Structure>> parameters;            ///< by Pou::number; of an FB its instance
   std::map<int, std::shared_ptr<const Structure>> temporary;             ///< by Pou::number
+  /// Data blocks of which no file tells what stands where, by number, each with the place of the finding that says so.
+  std::map<std::uint32_t, Span> openBlocks;
+  std::vector<OpenValue> openValues;
+  /// Findings that leave open no more than that and the networks that are not complete: file and first byte.
+  std::set<std::pair<std::uint32_t, std::uint32_t>> bounded;
 
   /// The place that parts of a data block's name mean; nothing if there is none that one access reaches.
   std::optional<Operand> place(std::uint32_t dataBlock, std::span<const PathStep> path) const;

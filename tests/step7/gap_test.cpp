@@ -119,8 +119,8 @@ TEST(Gaps, AnSfbByContract) {
   EXPECT_EQ(proof.find("UNREACHABLE"), std::string::npos) << proof;
 }
 
-// A block whose declarations cannot be read counts where it runs, is called by its number or has an instance, and not
-// where nothing leads to it.
+// A block whose declarations cannot be read counts where what depends on them is asked for: the data of FB5, but not
+// the temporary data of FC5, which does nothing, and nothing to which no call leads.
 TEST(Gaps, DeclarationsOfBlocksThatNeverRun) {
   const std::string wrong =
       "FUNCTION FC 5 : VOID\nVAR_TEMP\n  a : NONE;\nEND_VAR\nBEGIN\nNETWORK\nNOP 0;\nEND_FUNCTION\n";
@@ -142,9 +142,11 @@ TEST(Gaps, DeclarationsOfBlocksThatNeverRun) {
     EXPECT_NE(proof.find("PROVED  off"), std::string::npos) << proof;
     EXPECT_NE(proof.find("NONE"), std::string::npos) << proof;
   }
-  const std::pair<std::string, std::string> used[] = {{wrong, "CALL FC 5;"},
-                                                      {wrong, "UC FC [MW 10];"},
-                                                      {wrongFb + instance, "L DB5.DBW 0;"},
+  for (const std::string call : {"CALL FC 5;", "UC FC [MW 10];"}) {
+    const std::string proof = proofOf(wrong, call);
+    EXPECT_NE(proof.find("PROVED  off"), std::string::npos) << call << proof;
+  }
+  const std::pair<std::string, std::string> used[] = {{wrongFb + instance, "L DB5.DBW 0;"},
                                                       {wrongFb + instance, "CALL FB 5, DB 5;"}};
   for (const auto& [blocks, statements] : used) {
     const std::string proof = proofOf(blocks, statements);

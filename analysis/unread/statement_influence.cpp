@@ -1,0 +1,573 @@
+// Registers along the paths of each block, places over the whole program, until nothing is added.
+#include "analysis/unread/statement_influence.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "ir/block_map.hpp"
+#include "ir/s7300/block.hpp"
+#include "ir/s7300/statement_role.hpp"
+
+namespace rungproof {
+
+namespace {
+
+using Mask = std::uint16_t;
+/// RLO with STA, OR and the nesting stack; BR; CC1, CC0, OV, OS; the accumulators; the rest by their names.
+constexpr Mask rlo = 1, br = 2, result = 4, accu1 = 8, accu2 = 16, furtherAccus = 32, ar1 = 64, ar2 = 128, db = 256,
+               di = 512, all = 1023, accus = accu1 | accu2 | furtherAccus;
+
+/// What a statement takes from registers and what it leaves there; `set`: whatever stood there before.
+struct RegisterUse {
+  Mask reads = 0, writes = 0, set = 0;
+};
+
+RegisterUse useOfRole(const Instruction& instruction, bool goesOn) {
+  const StatementRole role = statementRole(instruction);
+  const bool hasOperand = !instruction.operands.empty();
+  const Mask string = goesOn ? rlo : 0;
+  switch (role) {
+    case StatementRole::AndScan:
+    case StatementRole::OrScan:
+    case StatementRole::XorScan: {
+      const bool isOfStatus = hasOperand && instruction.operands[0].kind == OperandKind::Constant;
+      const Mask status = isOfStatus ? br | result : 0;
+      return {static_cast<Mask>(string | status), rlo, static_cast<Mask>(goesOn ? 0 : rlo)};
+    }
+    case StatementRole::Open: return {string, rlo, 0};
+    case StatementRole::OrOfAnds:
+    case StatementRole::Close:
+    case StatementRole::Edge:
+    case StatementRole::Negate: return {rlo, rlo, 0};
+    case StatementRole::SetRlo:
+    case StatementRole::ClearRlo: return {0, rlo, rlo};
+    case StatementRole::Save: return {rlo, br, br};
+    case StatementRole::Compare:
+    case StatementRole::CompareRealEqual: return {accu1 | accu2, rlo | result, rlo};
+    case StatementRole::Assign:
+    case StatementRole::Latch:
+    case StatementRole::ResetTimer:
+    case StatementRole::FreeTimer:
+    case StatementRole::CountUp:
+    case StatementRole::CountDown:
+    case StatementRole::ResetCounter:
+    case StatementRole::FreeCounter: return {rlo, 0, 0};
+    case StatementRole::StartTimer:
+    case StatementRole::SetCounter: return {rlo | accu1, 0, 0};
+    case StatementRole::JumpByRlo:
+    case StatementRole::EndByRlo: return {rlo, rlo, rlo};
+    case StatementRole::JumpKeepingRlo: return {rlo, rlo | br, rlo | br};
+    case StatementRole::JumpByBr: return {br, 0, 0};
+    case StatementRole::JumpByResult: return {result, result, 0};
+    case StatementRole::Loop: return {accu1, accu1, accu1};
+    case StatementRole::Distributor: return {accu1, 0, 0};
+    case StatementRole::Call: return {0, all, 0};
+    case StatementRole::CallByRlo: return {rlo, all, 0};
+    case StatementRole::Load: return {0, accu1 | accu2, accu1};
+    case StatementRole::Transfer: return {accu1, 0, 0};
+    case StatementRole::TransferStatus: return {accu1, rlo | br | result, rlo | br | result};
+    case StatementRole::LoadAr1: return {static_cast<Mask>(hasOperand ? 0 : accu1), ar1, ar1};
+    case StatementRole::LoadAr2: return {static_cast<Mask>(hasOperand ? 0 : accu1), ar2, ar2};
+    case StatementRole::StoreAr1: return {ar1, static_cast<Mask>(hasOperand ? 0 : accus), 0};
+    case StatementRole::StoreAr2: return {ar2, static_cast<Mask>(hasOperand ? 0 : accus), 0};
+    case StatementRole::Ar2ToAr1: return {ar2, ar1, ar1};
+    case StatementRole::Ar1ToAr2: return {ar1, ar2, ar2};
+    case StatementRole::ExchangeAr: return {ar1 | ar2, ar1 | ar2, 0};
+    case StatementRole::MoveAr1: return {static_cast<Mask>(hasOperand ? ar1 : ar1 | accu1), ar1, 0};
+    case StatementRole::MoveAr2: return {static_cast<Mask>(hasOperand ? ar2 : ar2 | accu1), ar2, 0};
+    case StatementRole::OpenBlock: {
+      const Operand& block = instruction.operands[0];
+      const Mask opened = block.reach != nullptr && block.reach->inDi ? di : db;
+      return {0, opened, opened};
+    }
+    case StatementRole::ExchangeBlocks: return {db | di, db | di, 0};
+    case StatementRole::FromBcd:
+    case StatementRole::IntegerStep: return {accu1, accu1, 0};
+    case StatementRole::IntegerMath:
+    case StatementRole::RealMath: return {accus, accus | result, 0};
+    case StatementRole::MoveAccus: return {accus, accus, 0};
+    case StatementRole::JumpAlways:
+    case StatementRole::End:
+    case StatementRole::OpenRelay:
+    case StatementRole::Relay:
+    case StatementRole::Nothing: return {};
+    case StatementRole::Other: break;
+  }
+  const std::string_view name = instruction.desc->stl;
+  if (instruction.desc->control == Control::LabelMark) return {};
+  if (loadsElement(instruction)) return {0, accu1 | accu2, accu1};
+  if (name == "L STW") return {rlo | br | result, accus, 0};
+  if (name.starts_with("L D")) return {db | di, accus, 0};
+  return {accus | result, accus | result, 0};
+}
+
+/// What the places of the operands take from registers, and the block that a full address opens (002:640-653).
+void addPlaces(const Instruction& instruction, RegisterUse& use) {
+  const bool isCall = instruction.desc->control == Control::BlockCall;
+  const bool opens = statementRole(instruction) == StatementRole::OpenBlock;
+  const auto add = [&](const Operand& operand) {
+    const Mask open = operand.reach != nullptr && operand.reach->inDi ? di : db;
+    const Mask ofArea = operand.area == Area::DB ? open : 0;
+    if (operand.reach == nullptr) {
+      if (operand.area == Area::DB && operand.isMemory() && !opens) use.writes |= db;
+      if (operand.area == Area::DB && operand.isMemory() && !opens && !isCall) use.set |= db;
+      return;
+    }
+    switch (operand.reach->way) {
+      case Way::OpenBlock: use.reads |= opens ? Mask{0} : open; return;
+      case Way::Instance: use.reads |= di | ar2; return;
+      case Way::Pointer: use.reads |= opens ? Mask{0} : ofArea; return;
+      case Way::Register: use.reads |= ofArea | (operand.reach->byAr2 ? ar2 : ar1); return;
+      case Way::Crossing: use.reads |= db | di | (operand.reach->byAr2 ? ar2 : ar1); return;
+      default: return;
+    }
+  };
+  for (const Operand& operand : instruction.operands) {
+    add(operand);
+    if (operand.reach != nullptr) add(operand.reach->pointer);
+  }
+}
+
+RegisterUse useOf(const Instruction& instruction, bool goesOn) {
+  RegisterUse use = useOfRole(instruction, goesOn);
+  addPlaces(instruction, use);
+  return use;
+}
+
+/// Blocks of the CPU that do nothing but what their parameters say.
+bool staysWithinParameters(const Pou& callee) {
+  const int number = numberOfBlock(callee.number);
+  if (callee.type == BlockType::Fc) return true;
+  if (callee.type == BlockType::Sfb) return number <= 5;
+  return callee.type == BlockType::Sfc && (number == 20 || number == 21 || number == 64);
+}
+
+std::uint32_t firstOf(const std::map<std::uint32_t, std::uint32_t>& bits, const PlaceRow& row) {
+  const auto found = bits.lower_bound(row.first);
+  return found != bits.end() && found->first < row.first + row.count ? found->second : Influence::none;
+}
+
+}  // namespace
+
+bool StatementInfluence::Registers::join(const Registers& other) {
+  const Mask old = mask;
+  mask |= other.mask;
+  if (cause == none) cause = other.cause;
+  return mask != old;
+}
+
+StatementInfluence::StatementInfluence(const Facts& facts) : facts_(facts) {
+  const Program& program = facts.program();
+  blocks_.resize(program.pous.size());
+  for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
+    Block& block = blocks_[b];
+    const Flow& flow = facts.plan().flows[b];
+    block.parts.resize(program.pous[b].networks.size());
+    for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {
+      Part& part = block.parts[flow.steps[at].network];
+      if (part.end == 0) part.first = at;
+      part.end = at + 1;
+    }
+    block.logic = logicStates(flow);
+    block.open = openStates(program, flow);
+  }
+  findInstances();
+}
+
+/// The data of an FB: instances of its own, and instances of blocks that hold it as static data.
+void StatementInfluence::findInstances() {
+  const Program& program = facts_.program();
+  for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
+    if (!hasInstance(program.pous[b])) continue;
+    std::set<int> holders{program.pous[b].number};
+    for (bool isNew = true; isNew;) {
+      isNew = false;
+      for (const Pou& pou : program.pous) {
+        const bool holds = std::ranges::any_of(
+            pou.locals, [&](const LocalVariable& local) { return holders.contains(local.instanceOf); });
+        isNew = (holds && hasInstance(pou) && holders.insert(pou.number).second) || isNew;
+      }
+    }
+    for (const DataBlock& block : program.dataBlocks) {
+      if (holders.contains(block.instanceOf))
+        blocks_[b].instances.emplace_back(block.number,
+                                          block.instanceOf == program.pous[b].number && holders.size() == 1);
+    }
+  }
+}
+
+void StatementInfluence::addEverything(std::uint32_t cause) {
+  if (everything_ == none) everything_ = cause;
+}
+
+void StatementInfluence::addNetwork(NetworkPlace place, std::uint32_t cause) {
+  influence(place.block, place.network, cause);
+}
+
+void StatementInfluence::addPlace(const PlaceRow& row, std::uint32_t cause) {
+  std::map<std::uint32_t, std::uint32_t>* bits = &places_[row.area];
+  std::uint32_t first = row.first;
+  if (row.area == Area::DB) {
+    bits = &data_[blockOfByte(row.first / 8)].bits;
+    first = byteInBlock(row.first / 8) * 8 + row.first % 8;
+    if (someData_ == none) someData_ = cause;
+  }
+  for (std::uint32_t i = 0; i < row.count; ++i) isChanged_ = bits->emplace(first + i, cause).second || isChanged_;
+  if (some_ == none) some_ = cause;
+}
+
+void StatementInfluence::addDataBlock(std::uint32_t number, std::uint32_t cause) {
+  Data& data = data_[number];
+  if (data.whole == none) {
+    data.whole = cause;
+    isChanged_ = true;
+  }
+  if (someData_ == none) someData_ = cause;
+  if (some_ == none) some_ = cause;
+}
+
+void StatementInfluence::influence(std::uint32_t block, std::uint32_t network, std::uint32_t cause) {
+  Part& part = blocks_[block].parts[network];
+  if (part.cause != none) return;
+  part.cause = cause;
+  isChanged_ = true;
+  const LogicStates& logic = blocks_[block].logic;
+  for (const std::uint32_t edge : {part.first, part.end}) {
+    if (part.end != 0 && logic[edge] && logic[edge]->depth != 0) return addEverything(cause);
+  }
+  for (std::uint32_t at = part.first; at < part.end; ++at) {
+    write(block, at, cause);
+    control(block, at, cause);
+  }
+}
+
+void StatementInfluence::influenceBlock(std::uint32_t block, std::uint32_t cause) {
+  for (std::uint32_t n = 0; n < blocks_[block].parts.size(); ++n) influence(block, n, cause);
+}
+
+/// What an influenced statement lets run or leaves out.
+void StatementInfluence::control(std::uint32_t block, std::uint32_t at, std::uint32_t cause) {
+  const FlowStep& here = step(block, at);
+  const StatementRole role = statementRole(*here.instruction);
+  switch (here.instruction->desc->control) {
+    case Control::None:
+      if (role == StatementRole::OpenRelay || role == StatementRole::Relay) addEverything(cause);
+      return;
+    case Control::LabelMark: return;
+    case Control::BlockCall: return call(block, *here.instruction, cause);
+    case Control::BlockEnd: {
+      const bool isLast = at + 1 == facts_.plan().flows[block].steps.size();
+      if (role != StatementRole::End || !isLast) influenceBlock(block, cause);
+      return;
+    }
+    default: {
+      const bool staysHere = here.partner != noPartner && networkAt(block, here.partner) == here.network;
+      if (!staysHere) influenceBlock(block, cause);
+    }
+  }
+}
+
+void StatementInfluence::call(std::uint32_t block, const Instruction& instruction, std::uint32_t cause) {
+  bool isKnown = false;
+  eachCallee(block, instruction, [&](std::uint32_t called) {
+    const Pou& callee = facts_.program().pous[called];
+    const bool isOfSystem = callee.isBuiltIn || callee.type == BlockType::Sfc || callee.type == BlockType::Sfb;
+    if (callee.protectedBlock || (isOfSystem && !staysWithinParameters(callee))) return addEverything(cause);
+    isKnown = true;
+    influenceBlock(called, cause);
+  });
+  if (!isKnown) return addEverything(cause);
+  // Its instance: what a call does not write itself, its block does, or the system.
+  if (instruction.operands.size() < 2) return;
+  const Operand& instance = instruction.operands[1];
+  if (!hasInstance(blockTypeOf(static_cast<int>(instruction.operands[0].value)))) return;
+  if (instance.reach == nullptr && instance.area == Area::DB)
+    addDataBlock(blockOfByte(instance.offset), cause);
+  else
+    write(block, {Reached::Kind::AllData, {}, 0}, cause);
+}
+
+/// Where the access may lie.
+std::vector<Reached> StatementInfluence::reached(std::uint32_t block, std::uint32_t at, const Access& access) const {
+  using enum Reached::Kind;
+  const Instruction& instruction = *step(block, at).instruction;
+  const PlaceRow row = rowOf(access);
+  if (!access.viaPointer) return {{Row, row, 0}};
+  if (access.pointed == Pointed::OfCall) return {{ByCall, {}, 0}};
+  if (access.operand >= instruction.operands.size()) return {{Anywhere, {}, 0}};
+  const Operand* operand = &instruction.operands[access.operand];
+  if (operand->reach != nullptr && operand->reach->way == Way::PointerTo) operand = &operand->reach->pointer;
+  if (operand->reach == nullptr || access.pointed == Pointed::Anywhere) return {{Anywhere, {}, 0}};
+  const std::optional<OpenState>& open = blocks_[block].open[at];
+  if (!open) return {};  // it never runs
+  const auto inBlock = [&](std::uint32_t number) -> Reached {
+    PlaceRow inside = row;
+    inside.first += dataByte(number, 0) * 8;
+    return {Row, inside, number};
+  };
+  const auto inInstance = [&]() -> std::vector<Reached> {
+    std::vector<Reached> places;
+    for (const auto& [number, isWhole] : blocks_[block].instances)
+      places.push_back(isWhole ? inBlock(number) : Reached{Data, {}, number});
+    return places;
+  };
+  const bool isMoved = open->isDiMoved || open->isAr2Moved;
+  switch (operand->reach->way) {
+    case Way::OpenBlock: {
+      const OpenBlock& in = operand->reach->inDi ? open->di : open->db;
+      if (in.number != 0) return {inBlock(in.number)};
+      if (operand->reach->inDi && !isMoved && hasInstance(facts_.program().pous[block])) return inInstance();
+      return {{AllData, {}, 0}};
+    }
+    case Way::Instance: return isMoved ? std::vector<Reached>{{AllData, {}, 0}} : inInstance();
+    case Way::Pointer:
+    case Way::Register:
+      return {access.area == Area::DB ? Reached{AllData, {}, 0} : Reached{InArea, {access.area, 0, 0}, 0}};
+    default: return {{Anywhere, {}, 0}};
+  }
+}
+
+void StatementInfluence::write(std::uint32_t block, const Reached& place, std::uint32_t cause) {
+  if (everything_ != none) return;
+  switch (place.kind) {
+    case Reached::Kind::Row:
+      if (place.row.area != Area::L) return addPlace(place.row, cause);
+      for (std::uint32_t i = 0; i < place.row.count; ++i)
+        isChanged_ = blocks_[block].local.emplace(place.row.first + i, cause).second || isChanged_;
+      if (some_ == none) some_ = cause;
+      return;
+    case Reached::Kind::Data: return addDataBlock(place.dataBlock, cause);
+    case Reached::Kind::AllData:
+      isChanged_ = isChanged_ || allData_ == none;
+      if (allData_ == none) allData_ = cause;
+      if (someData_ == none) someData_ = cause;
+      if (some_ == none) some_ = cause;
+      return;
+    case Reached::Kind::InArea:
+      isChanged_ = areas_.emplace(place.row.area, cause).second || isChanged_;
+      if (some_ == none) some_ = cause;
+      return;
+    case Reached::Kind::ByCall:
+      for (const std::uint32_t site : facts_.calls().callsOf(block)) {
+        const CallSite& call = facts_.calls().sites()[site];
+        if (!given_.insert(call.instruction->id).second) continue;
+        const InstructionPlace at = facts_.place(call.instruction->id);
+        write(at.block, at.step, cause);
+      }
+      return;
+    case Reached::Kind::Anywhere: return addEverything(cause);
+  }
+}
+
+/// What the statement may write.
+void StatementInfluence::write(std::uint32_t block, std::uint32_t at, std::uint32_t cause) {
+  const Instruction& instruction = *step(block, at).instruction;
+  for (std::size_t i = 0; i < std::min<std::size_t>(instruction.operands.size(), instruction.desc->operandCount); ++i) {
+    const Operand& operand = instruction.operands[i];
+    if (operand.kind != OperandKind::Symbol || instruction.desc->operands[i].direction == Direction::In) continue;
+    if (operand.area != Area::DB) return addEverything(cause);  // nobody knows which place that is
+    addDataBlock(blockOfByte(operand.offset), cause);
+  }
+  for (const Access& access : facts_.accesses().of(instruction.id)) {
+    if (!access.write && !access.maybe) continue;
+    for (const Reached& place : reached(block, at, access)) write(block, place, cause);
+  }
+}
+
+std::uint32_t StatementInfluence::causeAt(const PlaceRow& row) const {
+  if (everything_ != none) return everything_;
+  if (const auto area = areas_.find(row.area); area != areas_.end()) return area->second;
+  if (row.area != Area::DB) {
+    const auto bits = places_.find(row.area);
+    return bits == places_.end() ? none : firstOf(bits->second, row);
+  }
+  if (allData_ != none) return allData_;
+  const auto data = data_.find(blockOfByte(row.first / 8));
+  if (data == data_.end()) return none;
+  if (data->second.whole != none) return data->second.whole;
+  const std::uint32_t first = byteInBlock(row.first / 8) * 8 + row.first % 8;
+  return firstOf(data->second.bits, {Area::DB, first, row.count});
+}
+
+std::uint32_t StatementInfluence::causeAt(NetworkPlace place) const {
+  return everything_ != none ? everything_ : blocks_[place.block].parts[place.network].cause;
+}
+
+std::uint32_t StatementInfluence::causeOf(std::uint32_t block, const Reached& place) const {
+  switch (place.kind) {
+    case Reached::Kind::Row:
+      return place.row.area == Area::L ? firstOf(blocks_[block].local, place.row) : causeAt(place.row);
+    case Reached::Kind::Data: {
+      if (allData_ != none) return allData_;
+      const auto data = data_.find(place.dataBlock);
+      if (data == data_.end()) return none;
+      if (data->second.whole != none || data->second.bits.empty()) return data->second.whole;
+      return data->second.bits.begin()->second;
+    }
+    case Reached::Kind::AllData: return someData_;
+    case Reached::Kind::InArea: {
+      if (place.row.area == Area::L) return blocks_[block].local.empty() ? none : blocks_[block].local.begin()->second;
+      if (const auto area = areas_.find(place.row.area); area != areas_.end()) return area->second;
+      const auto bits = places_.find(place.row.area);
+      return bits == places_.end() || bits->second.empty() ? none : bits->second.begin()->second;
+    }
+    // A call that gives an influenced place influences the whole block.
+    case Reached::Kind::ByCall: return none;
+    case Reached::Kind::Anywhere: return some_;
+  }
+  return none;
+}
+
+/// Whether the network has filled that place of L itself, in a statement that no jump passes by.
+bool StatementInfluence::isOwnLocal(std::uint32_t block, std::uint32_t network, std::uint32_t at,
+                                    const PlaceRow& row) const {
+  const Part& part = blocks_[block].parts[network];
+  for (std::uint32_t before = part.first; before < at; ++before) {
+    const Instruction& instruction = *step(block, before).instruction;
+    const StatementRole role = statementRole(instruction);
+    if (instruction.desc->control != Control::None && instruction.desc->control != Control::BlockCall) return false;
+    if (role != StatementRole::Assign && role != StatementRole::Transfer) continue;
+    for (const Access& access : facts_.accesses().of(instruction.id)) {
+      const PlaceRow filled = rowOf(access);
+      if (access.write && !access.viaPointer && filled.area == Area::L && filled.first <= row.first &&
+          filled.first + filled.count >= row.first + row.count)
+        return true;
+    }
+  }
+  return false;
+}
+
+std::uint32_t StatementInfluence::causeRead(std::uint32_t block, std::uint32_t network) const {
+  const Part& part = blocks_[block].parts[network];
+  for (std::uint32_t at = part.first; at < part.end; ++at) {
+    for (const Access& access : facts_.accesses().of(step(block, at).id())) {
+      if (access.write && !access.maybe) continue;
+      for (const Reached& place : reached(block, at, access)) {
+        const std::uint32_t cause = causeOf(block, place);
+        if (cause == none) continue;
+        const bool isLocal = place.kind == Reached::Kind::Row && place.row.area == Area::L;
+        if (!isLocal || !isOwnLocal(block, network, at, place.row)) return cause;
+      }
+    }
+  }
+  return none;
+}
+
+/// The blocks that a call may run; by a number that is computed, any FC.
+template <class Visit>
+void StatementInfluence::eachCallee(std::uint32_t block, const Instruction& call, Visit&& visit) const {
+  if (!call.operands.empty() && call.operands[0].kind == OperandKind::Indirect) {
+    for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
+      if (facts_.program().pous[b].type == BlockType::Fc) visit(b);
+    }
+    return;
+  }
+  for (const std::uint32_t site : facts_.calls().callsIn(block)) {
+    const CallSite& called = facts_.calls().sites()[site];
+    if (called.instruction->id == call.id && called.callee != noBlock) visit(called.callee);
+  }
+}
+
+void StatementInfluence::apply(std::uint32_t block, std::uint32_t at, Registers& registers) const {
+  const FlowStep& here = step(block, at);
+  const std::uint32_t cause = blocks_[block].parts[here.network].cause;
+  const std::optional<LogicState>& logic = blocks_[block].logic[at];
+  const RegisterUse use = useOf(*here.instruction, !logic || (logic->firstCheck & mayBe1) != 0);
+  const bool isLoad = statementRole(*here.instruction) == StatementRole::Load || loadsElement(*here.instruction);
+  const bool movesTaint = isLoad && (registers.mask & accu1) != 0;
+  if (cause != none) {
+    registers.join({use.writes, cause});
+  } else {
+    registers.mask &= static_cast<Mask>(~use.set);
+  }
+  if (movesTaint) registers.mask |= accu2;
+  if (isLoad && !movesTaint && cause == none) registers.mask &= static_cast<Mask>(~accu2);
+  if (here.instruction->desc->control != Control::BlockCall) return;
+  eachCallee(block, *here.instruction, [&](std::uint32_t callee) { registers.join(blocks_[callee].exit); });
+}
+
+/// Follows influenced registers through a block: into networks that take them, into blocks that it calls.
+void StatementInfluence::passRegisters(std::uint32_t block) {
+  const Flow& flow = facts_.plan().flows[block];
+  const FlowStep* const first = flow.steps.data();
+  const auto states = statesOf(flow, blocks_[block].entry, [&](Registers& registers, const FlowStep& here) {
+    apply(block, static_cast<std::uint32_t>(&here - first), registers);
+  });
+  for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {
+    if (!states[at] || states[at]->mask == 0) continue;
+    const FlowStep& here = flow.steps[at];
+    const std::optional<LogicState>& logic = blocks_[block].logic[at];
+    const RegisterUse use = useOf(*here.instruction, !logic || (logic->firstCheck & mayBe1) != 0);
+    if ((use.reads & states[at]->mask) != 0) influence(block, here.network, states[at]->cause);
+    if (here.instruction->desc->control != Control::BlockCall) continue;
+    eachCallee(block, *here.instruction, [&](std::uint32_t callee) {
+      Registers handed = *states[at];
+      // The call opens the instance of an FB and sets AR2.
+      if (hasInstance(facts_.program().pous[callee])) handed.mask &= static_cast<Mask>(~(di | ar2));
+      isChanged_ = blocks_[callee].entry.join(handed) || isChanged_;
+    });
+  }
+  if (states.back()) isChanged_ = blocks_[block].exit.join(*states.back()) || isChanged_;
+}
+
+/// What is not run may start the blocks of errors.
+void StatementInfluence::startErrorBlocks() {
+  std::uint32_t cause = none;
+  for (const Block& block : blocks_) {
+    for (const Part& part : block.parts) cause = cause == none ? part.cause : cause;
+  }
+  if (cause == none) return;
+  for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
+    const int number = facts_.program().pous[b].number;
+    if (number == blockNumber(BlockType::Ob, 121) || number == blockNumber(BlockType::Ob, 122))
+      influenceBlock(b, cause);
+  }
+}
+
+void StatementInfluence::spread() {
+  do {
+    isChanged_ = false;
+    startErrorBlocks();
+    for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
+      for (std::uint32_t n = 0; n < blocks_[b].parts.size(); ++n) {
+        if (everything_ != none) return;
+        if (blocks_[b].parts[n].cause != none) continue;
+        if (const std::uint32_t cause = causeRead(b, n); cause != none) influence(b, n, cause);
+      }
+      passRegisters(b);
+    }
+  } while (isChanged_);
+}
+
+bool StatementInfluence::mayUse(NetworkPlace place, const std::map<std::uint32_t, Span>& dataBlocks,
+                                std::uint32_t& number) const {
+  const Part& part = blocks_[place.block].parts[place.network];
+  const auto isThat = [&](std::uint32_t block) {
+    if (!dataBlocks.contains(block)) return false;
+    number = block;
+    return true;
+  };
+  number = dataBlocks.empty() ? 0 : dataBlocks.begin()->first;
+  for (std::uint32_t at = part.first; at < part.end; ++at) {
+    const Instruction& instruction = *step(place.block, at).instruction;
+    for (const Operand& operand : instruction.operands) {  // OPN, an instance, a BLOCK_DB
+      if (operand.reach == nullptr && operand.area == Area::DB && operand.kind != OperandKind::Constant &&
+          isThat(blockOfByte(operand.offset)))
+        return true;
+      if (statementRole(instruction) != StatementRole::OpenBlock || operand.reach == nullptr) continue;
+      if (operand.kind == OperandKind::Indirect) return true;
+      if (operand.area == Area::DB && isThat(blockOfByte(operand.offset))) return true;
+    }
+    for (const Access& access : facts_.accesses().of(instruction.id)) {
+      for (const Reached& reach : reached(place.block, at, access)) {
+        if (reach.kind == Reached::Kind::AllData || reach.kind == Reached::Kind::Anywhere) return true;
+        if (reach.kind == Reached::Kind::Data && isThat(reach.dataBlock)) return true;
+        if (reach.kind == Reached::Kind::Row && reach.row.area == Area::DB && isThat(blockOfByte(reach.row.first / 8)))
+          return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace rungproof
