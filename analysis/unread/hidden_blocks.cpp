@@ -39,10 +39,52 @@ std::string missingText(const MissingBlock& block) {
                      block.name, times);
 }
 
+namespace {
+
+/// Whether no power flow reaches the instruction in any scan, as behind LDN SM0.0, or no path.
+bool neverActs(const Facts& facts, std::uint32_t instruction) {
+  return !facts.execution().at(instruction).isReachable || (facts.conditionOf(instruction) & condition::Never) != 0;
+}
+
+}  // namespace
+
+std::vector<bool> blocksThatMayRun(const Facts& facts) {
+  const Program& program = facts.program();
+  if (program.main() == nullptr || isStep7(program.target)) {
+    std::vector<bool> all(program.pous.size(), true);
+    for (std::uint32_t b = 0; program.main() != nullptr && b < all.size(); ++b)
+      all[b] = program.pous[b].kind == PouKind::Main || facts.calls().reachedFromMain(b) ||
+               facts.calls().reachedFromInterrupt(b);
+    return all;
+  }
+  std::vector<bool> may(program.pous.size(), false);
+  for (std::uint32_t b = 0; b < may.size(); ++b) may[b] = program.pous[b].kind == PouKind::Main;
+  const std::vector<std::uint32_t> enables = facts.idsOf([](const Desc& desc) { return desc.role == Role::Eni; });
+  for (bool isNew = true; isNew;) {
+    isNew = false;
+    const auto add = [&](std::uint32_t block) {
+      if (block == noBlock || may[block]) return;
+      may[block] = isNew = true;
+    };
+    const auto acts = [&](std::uint32_t id) { return may[facts.blockOf(id)] && !neverActs(facts, id); };
+    for (const CallSite& site : facts.calls().sites()) {
+      if (acts(site.instruction->id)) add(site.callee);
+    }
+    // What a block without text does is not known: it may enable interrupts as well.
+    const bool isEnabled =
+        std::ranges::any_of(enables, acts) || std::ranges::any_of(facts.contracts().all(), [&](const auto& call) {
+          return call.second.mayDoAnything && acts(call.first);
+        });
+    for (const Attachment& attachment : facts.calls().attachments()) {
+      if (isEnabled && acts(attachment.instruction->id)) add(attachment.routine);
+    }
+  }
+  return may;
+}
+
 bool mayBeCalled(const Facts& facts, std::uint32_t instruction) {
-  const std::uint32_t block = facts.blockOf(instruction);
-  return facts.program().main() == nullptr || facts.program().pous[block].kind == PouKind::Main ||
-         facts.calls().reachedFromMain(block) || facts.calls().reachedFromInterrupt(block);
+  const bool isPart = facts.program().main() == nullptr;
+  return blocksThatMayRun(facts)[facts.blockOf(instruction)] && (isPart || !neverActs(facts, instruction));
 }
 
 std::vector<ExternalRange> externalsOfCalls(const Facts& facts) {

@@ -21,7 +21,10 @@ std::vector<MissingBlock> missingBlocks(const Facts& facts);
 /// "SBR21 is called, but no file holds it: ..."
 std::string missingText(const MissingBlock& block);
 
-/// Whether the call stands in a block that may run; a program without a main program is taken as a part of one.
+/// By block: whether it may run at all: from the main program, by calls that power may reach, or as a routine that is
+/// attached where interrupts are enabled. A program without a main program is taken as a part of one.
+std::vector<bool> blocksThatMayRun(const Facts& facts);
+/// Whether the call may be made: its block may run, and power may reach it.
 bool mayBeCalled(const Facts& facts, std::uint32_t instruction);
 /// Bytes of V memory, and of SM, that called blocks write at any time.
 std::vector<ExternalRange> externalsOfCalls(const Facts& facts);

@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "analysis/lint/lint.hpp"
+#include "analysis/unread/hidden_blocks.hpp"
 #include "ir/block_map.hpp"
 #include "ir/s7200/call_contract.hpp"
 #include "ir/s7300/block.hpp"
@@ -358,9 +359,10 @@ class UnreadCode::Collector {
   /// Blocks without text: who calls or attaches them runs something that nobody has read. A contract says what it may
   /// write.
   void ofBlocks() {
+    const std::vector<bool> started = blocksThatMayRun(facts_);
     for (std::uint32_t block = 0; block < program_.pous.size(); ++block) {
       const Pou& pou = program_.pous[block];
-      if (pou.kind != PouKind::Interrupt || !pou.protectedBlock || !mayRun(block)) continue;
+      if (pou.kind != PouKind::Interrupt || !pou.protectedBlock || !started[block]) continue;
       add(pou.name, hiddenText, pou.span).isUnlimited = true;
     }
     std::set<std::string> named;
@@ -377,11 +379,11 @@ class UnreadCode::Collector {
             partOf({place.block, place.network},
                    fmt::format("{} calls a subroutine that the program does not have", Facts::text(call)), call.span);
         part.isUnlimited = part.isUnlimited || mayRun(place.block);
-      } else if (mayWriteAnything && mayRun(place.block) && named.insert(contract.name).second) {
+      } else if (mayWriteAnything && mayBeCalled(facts_, id) && named.insert(contract.name).second) {
         add(contract.name, hidden != nullptr ? hiddenText : "its instructions are in no file",
             hidden != nullptr ? hidden->span : call.span)
             .isUnlimited = true;
-      } else if (contract.fillsAnyV && mayRun(place.block) && named.insert(contract.name).second) {
+      } else if (contract.fillsAnyV && mayBeCalled(facts_, id) && named.insert(contract.name).second) {
         UnreadPart& part = add(contract.name, "which V memory it fills stands in no text", call.span);
         part.places.push_back({Area::V, 0, areaSize(program_.target, Area::V) * 8});
         part.isOfBlock = true;

@@ -128,6 +128,30 @@ TEST(UnreadCode, AProtectedBlockThatNobodyCallsDoesNothing) {
   EXPECT_EQ(verdicts.other, Outcome::Proved) << verdicts.text;
 }
 
+/// No power flow reaches the call (001:14063: SM0.0 is always 1), or the block that calls it; a routine is attached but
+/// nothing enables interrupts (001:5444).
+TEST(UnreadCode, AProtectedBlockThatNeverRunsDoesNothing) {
+  const auto expectCovered = [](const std::string& main, const std::string& blocks) {
+    const Verdicts verdicts = verdictsOf("Network 8\nLD I0.0\n= Q0.0\n" + main, blocks);
+    EXPECT_EQ(verdicts.one, Outcome::Reachable) << verdicts.text;
+    EXPECT_EQ(verdicts.other, Outcome::Proved) << verdicts.text;
+  };
+  const std::string caller =
+      "SUBROUTINE_BLOCK SBR_1:SBR1\nBEGIN\nNetwork 1\nLD I0.3\nCALL SBR0\nEND_SUBROUTINE_BLOCK\n";
+  std::string routine = protectedBlock;
+  for (const auto& [from, to] : {std::pair{"SUBROUTINE_BLOCK SBR_0:SBR0", "INTERRUPT_BLOCK INT_0:INT0"},
+                                 std::pair{"END_SUBROUTINE_BLOCK", "END_INTERRUPT_BLOCK"}})
+    routine.replace(routine.find(from), std::string(from).size(), to);
+  expectCovered("Network 1\nLDN SM0.0\nCALL SBR0\n", protectedBlock);
+  expectCovered("Network 1\nLDN SM0.0\nCALL SBR1\n", caller + protectedBlock);
+  expectCovered("Network 1\nLD SM0.1\nATCH INT_0, 0\n", routine);
+  expectCovered("Network 1\nLDN SM0.0\nATCH INT_0, 0\nNetwork 2\nLD SM0.1\nENI\n", routine);
+  // Siblings that run: one scan is enough, and so is a condition that nobody has worked out.
+  expectNone("Network 1\nLD SM0.1\nCALL SBR0\n", protectedBlock);
+  expectNone("Network 1\nLD I0.0\nCALL SBR1\n", caller + protectedBlock);
+  expectNone("Network 1\nLDN SM0.0\nO I0.0\nCALL SBR0\n", protectedBlock);
+}
+
 /// Its outputs come from outside; what else it writes stands in no text (001:11020).
 TEST(UnreadCode, AProtectedBlockOfALibraryIsNoEmptyBlock) {
   const std::string library =
