@@ -1,6 +1,8 @@
 // `rungproof diff`: which networks changed in what they do, and which outputs can differ because of it.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "frontend/command.hpp"
 #include "frontend/input/proof_input.hpp"
 #include "frontend/sides/difference_view.hpp"
@@ -52,6 +54,28 @@ Exit run(Arguments arguments, Context& context) {
   return exit == Exit::Failed ? exit : Exit::Clean;
 }
 
+/// Statements about the world that could not be read: without them outputs may differ that never do. Whether there are
+/// some.
+bool sayUnreadStatements(const Sides& sides, Context& context) {
+  bool isOpen = false;
+  for (const ProgramInput* input : {&sides.before, &sides.after}) {
+    Report report = startReport("diff", input->program, input == &sides.before ? sides.filesBefore : sides.filesAfter);
+    std::erase_if(report.findings, [](const Finding& finding) {
+      return finding.severity != Severity::Error || !finding.rule.starts_with("PRP");
+    });
+    if (report.findings.empty() && input->properties.unread.empty()) continue;
+    isOpen = true;
+    sortFindings(report);
+    reporterNamed("human")->write(report, {false, true}, context.err);
+    for (const UnreadStatement& statement : input->properties.unread)
+      context.err << fmt::format(
+          "rungproof: '{}' ({}:{}) could not be read: what it may assume of the world is not assumed\n", statement.text,
+          input->program.sources->file(statement.span.file).name(),
+          input->program.sources->position(statement.span).line);
+  }
+  return isOpen;
+}
+
 Exit compare(const Arguments& arguments, Context& context) {
   if (!arguments.rest.empty())
     return context.fail({fmt::format("unexpected argument '{}' for 'rungproof diff'", arguments.rest.front()),
@@ -74,6 +98,7 @@ Exit compare(const Arguments& arguments, Context& context) {
     reporterNamed("human")->write(report, {false, true}, context.err);
   }
   if (isUnread) return Exit::Failed;
+  const bool isOpen = sayUnreadStatements(sides, context);
 
   EquivalenceOptions options;
   options.prover = proverOptionsOf(context.settings, {&sides.before.program, &sides.after.program});
@@ -106,7 +131,7 @@ Exit compare(const Arguments& arguments, Context& context) {
                                disagreement.explanation);
     exit = Exit::Failed;
   }
-  return exit;
+  return isOpen ? Exit::Failed : exit;
 }
 
 Action setup(ArgumentTable& table) {
