@@ -13,6 +13,7 @@
 #include "frontend/input/foreign_family.hpp"
 #include "frontend/step7/step7_likeness.hpp"
 #include "frontend/step7/step7_project.hpp"
+#include "frontend/step7/symbol_list.hpp"
 #include "frontend/stl/file_block.hpp"
 #include "frontend/stl/resolve.hpp"
 #include "frontend/stl/stl_lexer.hpp"
@@ -110,7 +111,10 @@ class ProjectReader {
     program_.number();
     const bool isProtected =
         std::any_of(program_.pous.begin(), program_.pous.end(), [](const Pou& pou) { return pou.protectedBlock; });
-    if (program_.instructionCount() == 0 && !isProtected && !hasUnreadNetworks() && !hasReadErrors(program_)) {
+    // Data blocks and types of an S7-300/400 stand in sources of their own.
+    const bool isData = isStep7 && program_.pous.empty();
+    if (program_.instructionCount() == 0 && !isProtected && !isData && !hasUnreadNetworks() &&
+        !hasReadErrors(program_)) {
       if (program_.sources->size() == 0) program_.sources->add("", "");
       SyntaxSink(program_, 0).report(Syntax::NoInstruction, {0, 0, 0}, "no instruction found");
     }
@@ -175,6 +179,14 @@ class ProjectReader {
   }
 
   void reportUnknown(std::uint32_t file) {
+    if (step7::hasSymbolListForm(program_.sources->file(file).text())) {
+      SyntaxSink(program_, file)
+          .report(Syntax::FileUnknown, {file, 0, 0},
+                  fmt::format("{} is a symbol table of an S7-300 or S7-400, and no source of its program is there",
+                              program_.sources->file(file).name()));
+      program_.findings.back().help = "name the sources (.awl) that it belongs to beside it, or their folder";
+      return;
+    }
     SyntaxSink(program_, file)
         .report(Syntax::FileUnknown, {file, 0, 0},
                 fmt::format("{} is not a program text, data block or symbol table that can be read",

@@ -10,6 +10,7 @@
 #include "ir/s7300/coverage.hpp"
 #include "ir/s7300/declarations.hpp"
 #include "ir/s7300/library.hpp"
+#include "ir/s7300/pointer_code.hpp"
 
 namespace rungproof::step7 {
 
@@ -161,6 +162,9 @@ bool StatementBinder::call(const Desc& desc, const Statement& statement) {
   number.span = statement.operand.span;
   instruction.operands.push_back(std::move(number));
   if (mnemonic != "CALL") {
+    if (statement.hasArguments)
+      return refuse(Syntax::CallList, statement.operand.span,
+                    fmt::format("what {} gives in braces is not known", mnemonic));
     if (isBlockWithInstance || std::ranges::any_of(parameters->fields, isParameter))
       return refuse(Syntax::CallList, statement.operand.span,
                     fmt::format("{} gives no parameters, but {} has some", mnemonic, toString(callee)));
@@ -266,6 +270,54 @@ bool StatementBinder::arguments(const Statement& statement, BlockKey callee, con
   return isWhole;
 }
 
+/// P#DB10.DBX 240.0 for a parameter of complex type: a variable of that type that begins there.
+std::optional<rungproof::Operand> StatementBinder::placeOfPointer(const BoundOperand& bound, const Field& formal,
+                                                                  BlockKey callee, Span span) {
+  const Constant& pointer = *bound.constant;
+  const auto bits = static_cast<std::uint32_t>(pointer.value);
+  const auto code = static_cast<PointerArea>(bits >> 24 & 7U);
+  const std::uint32_t byte = (bits & 0x7FFFFU) >> 3;
+  const auto fail = [&](Syntax error, std::string message) {
+    refuse(error, span, std::move(message));
+    return std::nullopt;
+  };
+  const bool hasArea = (bits & 0x80000000U) != 0 && (code != PointerArea::Db || pointer.block != 0);
+  if (!hasArea || (bits & 7U) != 0 || code == PointerArea::P || code == PointerArea::Di || code == PointerArea::V)
+    return fail(Syntax::CallList, fmt::format("{} of {} takes a pointer to a whole byte, such as P#DB10.DBX 240.0",
+                                              formal.name, toString(callee)));
+  // How much of a text is copied, its own declaration would say.
+  if (formal.type.kind == TypeKind::String && callee.kind == BlockKind::Fb && !formal.byReference)
+    return fail(Syntax::NotModelled, fmt::format("{} of {}: the length of the text is not known: how it is copied is "
+                                                 "not modelled",
+                                                 formal.name, toString(callee)));
+  const std::uint64_t end = byte + s7300::sizeOf(formal.type);
+  if (code == PointerArea::Db) {
+    const BlockKey block{BlockKind::Db, pointer.block};
+    const CatalogueEntry* entry = catalogue_.entry(block);
+    if (entry == nullptr) {
+      miss(Syntax::BlockMissing, span, fmt::format("{} is in none of the files", toString(block)));
+      return std::nullopt;
+    }
+    if (pointer.block > lastDataBlock)
+      return fail(Syntax::NotModelled, fmt::format("{} is above DB{}", toString(block), lastDataBlock));
+    BoundOperand opaque;
+    opaque.block = block;
+    if (refuseOpaque(opaque, span)) return std::nullopt;
+    const std::shared_ptr<const Structure> structure = types_.structure(block);
+    if (structure != nullptr && types_.isKnown(block) && end > structure->size)
+      return fail(Syntax::CallList, fmt::format("{} of {} takes {} bytes, and {} has {}", formal.name, toString(callee),
+                                                s7300::sizeOf(formal.type), toString(block), structure->size));
+    rungproof::Operand place = direct(Area::DB, Width::Byte, dataByte(pointer.block, byte));
+    place.span = span;
+    return place;
+  }
+  constexpr Area areas[] = {Area::PI, Area::I, Area::Q, Area::M, Area::DB, Area::DB, Area::L, Area::L};
+  rungproof::Operand place = direct(areas[static_cast<std::size_t>(code)], Width::Byte, byte);
+  place.span = span;
+  if (code == PointerArea::L) scope_->localBytes = std::max(scope_->localBytes, static_cast<std::uint32_t>(end));
+  return place;
+}
+
 std::optional<rungproof::Operand> StatementBinder::actual(const Argument& argument, const Field& formal,
                                                           BlockKey callee) {
   const Span span = argument.actual.span;
@@ -304,6 +356,8 @@ std::optional<rungproof::Operand> StatementBinder::actual(const Argument& argume
     return std::move(bound.operand);
   }
   if (bound.block) return fail(fmt::format("{} of {} takes a {}", formal.name, toString(callee), wanted));
+  if (bound.constant && s7300::isComplex(type) && bound.constant->kind == s7300::ConstantKind::Pointer)
+    return placeOfPointer(bound, formal, callee, span);
   if (bound.constant) {
     if (formal.section != Section::Input)
       return fail(fmt::format("{} of {} takes no constant: the block writes it", formal.name, toString(callee)));

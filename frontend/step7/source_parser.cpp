@@ -258,12 +258,32 @@ class SourceParser {
       if (!equalsWord(word, text.text)) continue;
       cursor_.skipBlanks();
       if (cursor_.take(':') || cursor_.take('=')) {
-        block.*text.value = restOfLine();
+        block.*text.value = valueOfAttribute();
         return true;
       }
     }
     cursor_.to(back);
     return false;
+  }
+
+  /// One word; the rest of the line, unless that goes on with the head.
+  std::string valueOfAttribute() {
+    cursor_.skipBlanks();
+    const std::uint32_t begin = cursor_.at();
+    const std::string whole = restOfLine();
+    const std::size_t blank = whole.find_first_of(" \t");
+    if (blank == std::string::npos) return whole;
+    const std::string_view behind = trimmed(std::string_view(whole).substr(blank));
+    std::size_t length = 0;
+    while (length < behind.size() && isWordByte(behind[length])) ++length;
+    const std::string_view next = behind.substr(0, length);
+    constexpr std::array<std::string_view, 8> attributes = {"AUTHOR", "FAMILY",   "NAME",      "VERSION",
+                                                            "TITLE",  "STANDARD", "READ_ONLY", "KNOW_HOW_PROTECT"};
+    const bool goesOn = sourceKeywordOf(next) != SourceKeyword::None || equalsWord(next, "STRUCT") ||
+                        std::ranges::any_of(attributes, [&](std::string_view word) { return equalsWord(next, word); });
+    if (!goesOn) return whole;
+    cursor_.to(begin + static_cast<std::uint32_t>(blank));
+    return whole.substr(0, blank);
   }
 
   /// STRUCT, a UDT or an FB behind the head of a data block or of a type.

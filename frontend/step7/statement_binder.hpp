@@ -35,6 +35,8 @@ class StatementBinder {
   bool arguments(const Statement& statement, BlockKey callee, const s7300::Structure& parameters,
                  Instruction& instruction);
   std::optional<rungproof::Operand> actual(const Argument& argument, const s7300::Field& formal, BlockKey callee);
+  std::optional<rungproof::Operand> placeOfPointer(const BoundOperand& bound, const s7300::Field& formal,
+                                                   BlockKey callee, Span span);
   /// `mayBeValue`: the parameter of a block that no table describes, which may be a value as well.
   std::optional<rungproof::Operand> pointerActual(const Argument& argument, const BoundOperand& bound,
                                                   const s7300::Field& formal, bool mayBeValue);

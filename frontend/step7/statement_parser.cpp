@@ -130,7 +130,17 @@ class StatementParser {
     OperandOutcome outcome = readOperand7(cursor_, spelling_, isJump());
     statement_.operand = std::move(outcome.operand);
     if (!outcome.fault.empty()) return fail(std::move(outcome.fault), begin, faultEnd(begin));
-    if (statement_.mnemonic.text == "CALL") call();
+    if (statement_.mnemonic.text == "CALL") return call();
+    if (statement_.mnemonic.text == "UC" || statement_.mnemonic.text == "CC") braces();
+  }
+
+  /// { P#L 210.1 } behind UC: what an upload shows of a block that the editor calls by itself.
+  void braces() {
+    cursor_.skipBlanks();
+    const std::size_t close = cursor_.peek() == '{' ? cursor_.text().find('}', cursor_.at()) : std::string_view::npos;
+    if (close == std::string_view::npos || close >= cursor_.lineEnd()) return;
+    cursor_.to(static_cast<std::uint32_t>(close) + 1);
+    statement_.hasArguments = true;
   }
 
   /// The end of what an operand that cannot be read seems to be.

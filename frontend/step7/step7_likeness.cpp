@@ -106,8 +106,24 @@ class EvidenceReader {
     if (equalsWord(word, "SUBROUTINE_BLOCK") || equalsWord(word, "INTERRUPT_BLOCK") ||
         equalsWord(word, "SYMBOL_TABLE") || equalsWord(word, "DATA_BLOCK_TAB"))
       return true;
-    // ORGANIZATION_BLOCK MAIN:OB1
-    return equalsWord(word, "ORGANIZATION_BLOCK") && rest.find(':') != std::string_view::npos;
+    return equalsWord(word, "ORGANIZATION_BLOCK") && isNumberedName(rest);
+  }
+
+  /// MAIN:OB1, MAIN : OB 1; but not OB 1 VERSION : 0.1, a head on one line.
+  static bool isNumberedName(std::string_view rest) {
+    const std::size_t colon = rest.find(':');
+    if (colon == std::string_view::npos) return false;
+    const std::string_view before = trimmed(rest.substr(0, colon)), behind = trimmed(rest.substr(colon + 1));
+    const bool isOneName = before.find_first_of(" \t") == std::string_view::npos;
+    return isOneName || lettersInCapitals(behind.substr(0, 2)) == "OB";
+  }
+
+  /// DB 5: letters and number apart.
+  static bool isNumberApart(std::string_view rest) {
+    const std::string capitals = lettersInCapitals(rest);
+    const std::string_view number = trimmed(std::string_view(capitals).substr(std::min<std::size_t>(2, rest.size())));
+    return capitals.starts_with("DB ") && !number.empty() && number[0] >= '0' && number[0] <= '9' &&
+           rest.find(':') == std::string_view::npos;
   }
 
   void heading(SourceKeyword keyword, std::string_view rest) {
@@ -119,11 +135,12 @@ class EvidenceReader {
       case SourceKeyword::EndType: found_.hasHeading = true; break;
       case SourceKeyword::OrganizationBlock:
         // OB 100, OB 1 with a blank, or a name in marks; OB1 and MAIN:OB1 stand in exports of the other family too.
-        if (rest.find(':') == std::string_view::npos && (rest.starts_with('"') || lettersInCapitals(rest) != "OB1"))
+        if (!isNumberedName(rest) && (rest.starts_with('"') || lettersInCapitals(rest) != "OB1"))
           found_.hasHeading = true;
         break;
       case SourceKeyword::DataBlock:
-        if (rest.starts_with('"')) found_.hasHeading = true;
+        // DB 5 with a blank, and a structure behind it: data of the other family has neither.
+        if (rest.starts_with('"') || isNumberApart(rest)) found_.hasHeading = true;
         break;
       default: break;
     }

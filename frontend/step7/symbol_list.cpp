@@ -175,7 +175,8 @@ std::optional<ListCell> addressNear(std::string_view text, ListCell line, std::s
 
 /// A row that begins with `126,` and has its address elsewhere, or none.
 std::optional<Misalignment> misalignmentOf(std::string_view text, ListCell line, MnemonicSet set, std::uint32_t file) {
-  if (!text.substr(line.begin, line.end - line.begin).starts_with("126,")) return std::nullopt;
+  const std::string_view written = text.substr(line.begin, line.end - line.begin);
+  if (!written.starts_with("126,") || trimmed(written.substr(columnsBeforeName)).empty()) return std::nullopt;
   const std::size_t name = line.begin + columnsBeforeName;
   const std::size_t address = behindCharacters(text, name, line.end, nameColumns);
   const std::size_t type = behindCharacters(text, address, line.end, addressColumns);
@@ -188,9 +189,9 @@ std::optional<Misalignment> misalignmentOf(std::string_view text, ListCell line,
   };
   constexpr std::size_t first = columnsBeforeName + nameColumns + 1, last = first + addressColumns - 1;
   if (const auto found = addressNear(text, {static_cast<std::uint32_t>(name), line.end}, address, set, file)) {
-    const std::string_view written = text.substr(found->begin, found->end - found->begin);
+    const std::string_view address7 = text.substr(found->begin, found->end - found->begin);
     return Misalignment{
-        *found, fmt::format("the address \"{}\" stands in columns {} to {}, not between {} and {}", excerpt(written),
+        *found, fmt::format("the address \"{}\" stands in columns {} to {}, not between {} and {}", excerpt(address7),
                             column(found->begin), column(found->end) - 1, first, last)};
   }
   return Misalignment{cell.begin < cell.end ? cell : line,
