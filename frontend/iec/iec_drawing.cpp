@@ -2,7 +2,7 @@
 #include "frontend/iec/iec_drawing.hpp"
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 #include "frontend/graphical/drawn_circuit.hpp"
 #include "frontend/iec/iec_lowering.hpp"
@@ -41,14 +41,46 @@ class DrawingToStatements {
     return drawnSink_;
   }
 
-  /// A contact that would be read behind a coil of the same network which writes its variable: some controllers take
-  /// the value of before the network.
-  void refuseFeedback(int i, const std::string& variable) {
-    if (written_.contains({circuit_.circuitOf(i), foldedName(variable)}))
-      refuse(circuit_.element(i),
-             fmt::format("whether {} has the value that a coil of the same network gave it before is "
-                         "open",
-                         nameOf(circuit_.element(i))));
+  using InCircuit = std::pair<int, std::string>;
+  InCircuit inCircuit(int i) const { return {circuit_.circuitOf(i), foldedName(circuit_.element(i).text)}; }
+
+  /// In front of a coil: a contact of its network that is read behind it may see the value of before.
+  void keepForContacts(int i) {
+    for (int k = 0; k < circuit_.count(); ++k) {
+      if (circuit_.element(k).kind != DrawnKind::Contact || inCircuit(k) != inCircuit(i) ||
+          before_.contains(inCircuit(i)))
+        continue;
+      const Span span = circuit_.element(i).span;
+      const std::string kept = hidden("before", "BOOL", span);
+      before_.emplace(inCircuit(i), kept);
+      assign(i, pathTo({kept}, span), parsed(circuit_.element(i).text, span));
+    }
+  }
+  /// The variable of a contact, by the reading in force.
+  ExprPtr seenBy(int i) {
+    const DrawnElement& element = circuit_.element(i);
+    const auto kept = before_.find(inCircuit(i));
+    if (kept == before_.end()) return parsed(element.text, element.span);
+    ExprPtr reading = pathTo({"__READING"}, element.span);
+    reading->kind = ExprKind::Call;
+    for (const char* const text : {"'iec-network-feedback'", "'snapshot'"}) {
+      Argument argument;
+      argument.value = word(text, element.span);
+      argument.value->kind = ExprKind::Text;
+      reading->arguments.push_back(std::move(argument));
+    }
+    ExprPtr choice = pathTo({"SEL"}, element.span);
+    choice->kind = ExprKind::Call;
+    choice->arguments.push_back(plain(std::move(reading)));
+    choice->arguments.push_back(plain(parsed(element.text, element.span)));
+    choice->arguments.push_back(plain(pathTo({kept->second}, element.span)));
+    return choice;
+  }
+  static Argument plain(ExprPtr value) {
+    Argument made;
+    made.span = value->span;
+    made.value = std::move(value);
+    return made;
   }
 
   /// A result that cannot be written leaves a statement that was not read.
@@ -202,7 +234,6 @@ class DrawingToStatements {
       case DrawnKind::LeftRail: return word("TRUE", element.span);
       case DrawnKind::Contact:
         return shared(i, [&] {
-          refuseFeedback(i, element.text);
           ExprPtr flow = element.inputs.empty() ? word("TRUE", element.span) : flowInto(i);
           ExprPtr value = edgeOf(i, parsed(element.text, element.span), element.edge);
           if (element.negated) value = inverted(std::move(value));
@@ -319,7 +350,7 @@ class DrawingToStatements {
     const DrawnElement& element = circuit_.element(i);
     ExprPtr flow = circuit_.consumersOf(i).empty() ? flowInto(i) : leaving(i, "");
     flow = edgeOf(i, std::move(flow), element.edge);
-    written_.emplace(circuit_.circuitOf(i), foldedName(element.text));
+    keepForContacts(i);
     if (element.storage == DrawnStorage::None) {
       if (element.negated) flow = inverted(std::move(flow));
       return assign(i, parsed(element.text, element.span), std::move(flow));
@@ -403,7 +434,7 @@ class DrawingToStatements {
   DrawnCircuit circuit_;
   std::vector<bool> isDone_;
   std::vector<std::string> flows_;
-  std::set<std::pair<int, std::string>> written_;  ///< by coils, with their circuits
+  std::map<InCircuit, std::string> before_;  ///< by variable that a coil has written: its value of before
   int depth_ = 0;
   bool isWriting_ = false;
 };

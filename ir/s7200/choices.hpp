@@ -68,6 +68,7 @@ enum class Choice : std::uint8_t {
   IecShortCircuit,
   IecTaskOrder,
   IecTimeNumber,
+  IecNetworkFeedback,
   count
 };
 
@@ -370,6 +371,12 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      "iec-time-number",
      {"milliseconds", "seconds", ""},
      "IEC 61131-3: the number that TIME_TO_DINT and its kin make of a duration, and take for one",
+     "IEC 61131-3"},
+    {Choice::IecNetworkFeedback,
+     "iec-network-feedback",
+     {"sequential", "snapshot", ""},
+     "IEC 61131-3: what a contact sees of a variable that a coil before it in the same network writes: what was "
+     "written, or the value of before the network",
      "IEC 61131-3"},
 }};
 

@@ -185,10 +185,15 @@ TEST(IecDrawing, AFlowIsComputedOnce) {  // the second coil takes the flow of be
   EXPECT_TRUE(proofOfLadder(xml, "prove same: s = x\n").has("PROVED  same"));
 }
 
-TEST(IecDrawing, FeedbackWithinANetworkIsNotCovered) {  // a contact of q behind the coil that writes q
+// A contact of q behind the coil that writes q: it sees what was written, or the value of before the network.
+TEST(IecDrawing, FeedbackWithinANetworkIsAReading) {
   const std::string xml =
       ladder("a b", "q m", contact(2, 1, "a") + coil(3, 2, "q") + contact(4, 2, "q") + coil(5, 4, "m"));
-  EXPECT_TRUE(proofOfLadder(xml, "prove m: m implies a\n").has("NOT COVERED  m"));
+  const IecOutput output = proofOfLadder(xml,
+                                         "prove follows: m implies a\nprove at once: m = q\nprove later: m = q or q "
+                                         "and not prev(q) or q and first_scan\n");
+  EXPECT_TRUE(output.has("PROVED  follows") && output.has("PROVED  later")) << output.text;
+  EXPECT_TRUE(output.has("VIOLATED  at once") && output.has("iec-network-feedback")) << output.text;
 }
 
 TEST(IecDrawing, BlocksTheirInstancesAndFunctions) {
