@@ -80,6 +80,19 @@ void guessFamily(const Context& context, std::initializer_list<std::pair<const S
 
 namespace {
 
+/// SimaticML names no family, and TIA Portal has no S7-200: that its blocks are read as those of one is said.
+void sayFamilyOfSimatic(const Context& context, const Settings& settings, const Program& program) {
+  if (settings.text(Opt::Dialect) != "auto" || settings.flag(Opt::Quiet)) return;
+  for (std::uint32_t file = 0; file < program.sources->size(); ++file) {
+    if (program.sources->file(file).text().find("<SW.Blocks.") == std::string_view::npos) continue;
+    context.err << fmt::format(
+        "rungproof: {} is SimaticML, which names no family: read by IEC 61131-3 with the memory of a CPU {}; "
+        "--dialect s7-300 reads it for an S7-300 or S7-400\n",
+        program.sources->file(file).name(), cpuName(program.target.cpu));
+    return;
+  }
+}
+
 /// Without --cpu, a program with instructions that only the S7-200 SMART has is taken for its largest CPU. A CPU of
 /// another family than the program's is none for it.
 void guessCpu(const Context& context, const Settings& settings, Program& program) {
@@ -92,6 +105,7 @@ void guessCpu(const Context& context, const Settings& settings, Program& program
     return;
   }
   if (isStep7(program.target)) return guessFamily(context, {{&settings, &program}});
+  sayFamilyOfSimatic(context, settings, program);
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) {

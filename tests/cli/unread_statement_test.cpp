@@ -93,6 +93,19 @@ TEST(UnreadStatements, AreNoFaultOfTheProgram) {
   EXPECT_EQ((result.out + result.err).find("program is refused"), std::string::npos) << result.out << result.err;
 }
 
+/// `diff` compares without the assumption, and says so.
+TEST(UnreadStatements, AreSaidByDiff) {
+  const TemporaryFolder folder;
+  const std::string wrong = "//@ assume I0.0 never both I0.1\n";
+  const ProgramRun result =
+      run({"diff", folder.file("old.awl", test::mainBlock(wrong + "Network 1\nLD I0.0\n= Q0.0\n")),
+           folder.file("new.awl", test::mainBlock("Network 1\nLD I0.0\nA I0.1\n= Q0.0\n"))});
+  EXPECT_EQ(result.exit, 2) << result.out << result.err;
+  EXPECT_NE(result.err.find("'assume I0.0 never both I0.1'"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("is not assumed"), std::string::npos) << result.err;
+  EXPECT_NE(result.out.find("can differ: Q0.0"), std::string::npos) << result.out;
+}
+
 /// `lint --diff` says what it could not look at; a safe fix beside it is shown all the same.
 TEST(UnreadNetworks, AreNoSuccessOfLintDiff) {
   const TemporaryFolder folder;
