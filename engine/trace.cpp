@@ -191,7 +191,7 @@ TraceSignal signalOf(const Program& program, const Operand& operand, const Symbo
   TraceSignal signal;
   signal.operand = operand;
   const bool byNumber = hasBitAndWord(operand.area);
-  if (symbol != nullptr) signal.symbol = symbol->name;
+  if (symbol != nullptr && !isIec(program.target)) signal.symbol = symbol->name;
   signal.name = symbol != nullptr && isIec(program.target) ? symbol->name : toString(operand);
   if (byNumber && operand.width != Width::Bit) signal.name += ".value";
   if (operand.width == Width::Bit) signal.type = SignalType::Bool;

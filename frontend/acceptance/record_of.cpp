@@ -86,6 +86,7 @@ std::vector<ChoiceInForce> choicesOf(const Settings& settings, const Program& pr
 
 std::vector<NamedAddress> symbolsOf(const Program& program) {
   std::vector<NamedAddress> names;
+  if (isIec(program.target)) return names;  // variables have no other name
   for (const Symbol& symbol : program.symbols) {
     if (!symbol.address.isMemory()) continue;
     names.push_back({toString(symbol.address), symbol.name, symbol.comment});
