@@ -35,7 +35,10 @@ class TemplateSearch {
       const std::uint32_t state = blast_.stateBit(latch).state;
       if (inCone_.insert(state).second && telling.contains(state)) order_.push_back(state);
     }
-    for (const std::uint32_t state : order_) collect(state);
+    for (const std::uint32_t state : order_) {
+      if (budget_.isExhausted()) return {};
+      collect(state);
+    }
     if (words_.empty()) return {};
     collectGuards();
     if (scope_ == BoundScope::Pending) collectEnds();
@@ -52,6 +55,7 @@ class TemplateSearch {
       if (isNear() && timers != 1) break;
       for (const std::vector<std::size_t>& group : all) {
         for (const std::size_t x : group) {
+          if (budget_.isExhausted()) return {};
           for (const std::size_t y : group) {
             if (x != y && (words_[x].isTimer() ? 1 : 0) + (words_[y].isTimer() ? 1 : 0) == timers)
               pair(static_cast<int>(x), static_cast<int>(y), timers == 1 ? clockGuards() : schedule::fewGuards);
@@ -129,7 +133,10 @@ class TemplateSearch {
     const Node roots[] = {system_.states[state].next};
     std::optional<CountingWord> found;
     std::set<std::uint64_t> constants;
+    std::size_t seen = 0;
     for (const Node n : coneOf(graph_, roots)) {
+      constexpr std::size_t nodesBetweenLooks = 1024;
+      if (++seen % nodesBetweenLooks == 0 && budget_.isExhausted()) return;
       const NodeData& node = graph_[n];
       if (node.op == Op::Constant && node.value > 1 && node.value <= Graph::maskOf(widthOf(self)))
         constants.insert(node.value);
