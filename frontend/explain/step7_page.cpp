@@ -131,6 +131,8 @@ constexpr std::string_view beyondParameters = "NOT COVERED: it changes more than
 /// modelled, or how far the model goes.
 std::string_view modelOf(const s7300::LibraryBlock& block) {
   if (step7::isContractOnly(block)) return actsOnCpu(block) ? outputsOnly : contractOnly;
+  const bool readsClock = block.type == BlockType::Sfc && (block.number == 1 || block.number == 64);
+  if (readsClock) return "modelled in sim: the clock of the run; in proofs any value at each read, and verdicts say so";
   if (isBuiltIn(block)) return "modelled";
   return step7::isModelled(block) ? "modelled: its statements are known" : "NOT COVERED: only its parameters are known";
 }
