@@ -65,4 +65,24 @@ Node anyOf(Graph& graph, const std::vector<Question>& questions, const std::vect
   return any.node;
 }
 
+std::vector<QuestionAnswer> askedApart(const TransitionSystem& system,
+                                       const std::function<QuestionAnswer(const TransitionSystem&)>& ask,
+                                       const std::function<void(std::size_t, const std::exception&)>& broken) {
+  std::vector<QuestionAnswer> answers(system.questions.size());
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    TransitionSystem one = system;
+    one.questions = {system.questions[i]};
+    try {
+      answers[i] = ask(one);
+    } catch (const std::exception& error) {
+      broken(i, error);
+    }
+  }
+  return answers;
+}
+
+std::string defectText(const std::exception& error) {
+  return fmt::format("internal error: {}; this is a defect of rungproof, and leaves this open", error.what());
+}
+
 }  // namespace rungproof

@@ -1,12 +1,16 @@
-// What a comparison assumes, why unread code leaves an output open, and which outputs a joined system asks about.
+// What a comparison assumes, why unread code leaves an output open, and which outputs a joined system asks about, all
+// together or one by one.
 #pragma once
 
+#include <exception>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/equivalence/both_runs.hpp"
 #include "analysis/equivalence/product.hpp"
+#include "analysis/portfolio/portfolio.hpp"
 
 namespace rungproof {
 
@@ -20,5 +24,12 @@ std::vector<ObservedBit> observedOf(const JoinedSystem& merged, const std::vecto
 bool comparesStops(const JoinedSystem& merged, const std::vector<std::size_t>& open);
 /// Whether any of the open questions is answered.
 Node anyOf(Graph& graph, const std::vector<Question>& questions, const std::vector<std::size_t>& open);
+
+/// One answer for each question of the system; Unknown where `broken` is told.
+std::vector<QuestionAnswer> askedApart(const TransitionSystem& system,
+                                       const std::function<QuestionAnswer(const TransitionSystem&)>& ask,
+                                       const std::function<void(std::size_t, const std::exception&)>& broken);
+/// "internal error: ...; this is a defect of rungproof, and leaves this open".
+std::string defectText(const std::exception& error);
 
 }  // namespace rungproof

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <utility>
 
 #include "ir/s7200/args.hpp"
@@ -187,6 +188,11 @@ UsedPulses pulseOutputsOf(const Program& program) {
     if (to.device == Device::PulseOutput) found.at(to.number) = true;
   });
   return found;
+}
+
+bool usesPulses(const Program& before, const Program& after) {
+  const auto isAny = [](const UsedPulses& used) { return std::ranges::any_of(used, std::identity{}); };
+  return isAny(pulseOutputsOf(before)) || isAny(pulseOutputsOf(after));
 }
 
 bool isDeviceEvent(int event) { return isPulseEvent(event) || portEvent(event) || counterEvent(event); }

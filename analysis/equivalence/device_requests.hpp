@@ -44,6 +44,8 @@ bool sendsMessages(const Program& program);
 /// By pulse output: whether PLS may set its generator going.
 using UsedPulses = std::array<bool, pulseOutputCount>;
 UsedPulses pulseOutputsOf(const Program& program);
+/// Without any PLS the generators stay off, whatever form their registers have.
+bool usesPulses(const Program& before, const Program& after);
 /// Whether a device tells of something by that event.
 bool isDeviceEvent(int event);
 /// The control byte of a serial port: baud rate, parity, protocol (001:14167).

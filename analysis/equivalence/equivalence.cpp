@@ -10,7 +10,6 @@
 #include <map>
 #include <numeric>
 #include <set>
-#include <unordered_set>
 
 #include "analysis/encoding/accelerate.hpp"
 #include "analysis/equivalence/both_runs.hpp"
@@ -52,13 +51,13 @@ class ProgramComparison {
 
   Equivalence run() {
     result_.assumptions = assumptionTexts(before_, after_, options_);
-    if (auto early = exploreEarly()) {
-      shorten(std::move(*early));
-      guardUnread();
-      result_.seconds = seconds();
-      return std::move(result_);
-    }
     try {
+      if (auto early = exploreEarly()) {
+        shorten(std::move(*early));
+        guardUnread();
+        result_.seconds = seconds();
+        return std::move(result_);
+      }
       ProductOptions options = productOptions(false);
       if (options_.prover.certificates) {
         options.trailBefore = std::make_shared<Trail>();
@@ -74,6 +73,8 @@ class ProgramComparison {
     } catch (const EncodingStopped&) {
       result_.notes.push_back(watch_.isInterrupted() ? "interrupted before both programs were encoded"
                                                      : "the time was over before both programs were encoded");
+    } catch (const std::exception& error) {
+      breakOff(error);
     }
     result_.seconds = seconds();
     return std::move(result_);
@@ -230,7 +231,15 @@ class ProgramComparison {
     if (open.empty()) return {};
     TransitionSystem asked = system;
     for (const std::size_t i : open) asked.questions.push_back(questions[i]);
-    std::vector<QuestionAnswer> answers = ask(asked, each, effort), rest;
+    std::vector<QuestionAnswer> answers, rest;
+    try {
+      answers = ask(asked, each, effort);
+    } catch (const std::exception&) {
+      const auto askOne = [&](const TransitionSystem& one) { return ask(one, each, effort)[0]; };
+      answers = askedApart(asked, askOne, [&](std::size_t i, const std::exception& error) {
+        note(fmt::format("{}: {}", result_.outputs[open[i]].name, defectText(error)));
+      });
+    }
     std::vector<std::size_t> still;
     for (std::size_t i = 0; i < open.size(); ++i) {
       if (answers[i].answer == Answer::Proved) {
@@ -242,6 +251,14 @@ class ProgramComparison {
     }
     open = std::move(still);
     return rest;
+  }
+
+  /// What is decided stays; the rest is open.
+  void breakOff(const std::exception& error) {
+    note(defectText(error));
+    if (result_.run) return conclude({});
+    result_.equality = Equality::Unknown;
+    for (ObservedVerdict& output : result_.outputs) output.equality = Equality::Unknown;
   }
 
   /// Both programs with memory of their own: runs that differ first, short ones and those that wait for timers, then
@@ -350,14 +367,9 @@ class ProgramComparison {
     TransitionSystem asked = both.system;
     asked.questions = {{"the outputs differ", anyOf(*asked.graph, outputQuestions(both), open)}};
     exclude(asked, both.usesEstimates);
-    const std::unordered_set<std::uint32_t> ofTime = [&] {
-      std::unordered_set<std::uint32_t> nodes;
-      for (const Node n : both.timeStates) nodes.insert(indexOf(n));
-      return nodes;
-    }();
     TimeModel& time = relaxed.oldSide().encoding().time();
     accelerate(asked, time.dt(), time.width(), options_.prover.time,
-               [&](Node n) { return ofTime.contains(indexOf(n)); });
+               [&](Node n) { return std::ranges::find(both.timeStates, n) != both.timeStates.end(); });
     const auto trace = shallowSearch(asked, longScans, searchTime());
     return trace && show(relaxed, both, asked, *trace, open);
   }
@@ -390,15 +402,7 @@ class ProgramComparison {
   }
 
   void noteUndefined(const EquivalenceRun& run) {
-    std::set<std::string>& reads = undefined_[run.signal];
-    for (const auto& [side, scans] : {std::pair{&before_, &run.before}, {&after_, &run.after}}) {
-      for (const ReplayScan& scan : *scans) {
-        for (const ExternalValue& value : scan.externals) {
-          if (isUndefinedRead(value.site.kind) && value.value != quietExternal(value.site))
-            reads.insert(undefinedText(*side->program, value.site));
-        }
-      }
-    }
+    undefined_[run.signal].merge(undefinedReads(*before_.program, *after_.program, run));
   }
   /// A run on which an output differs; the first one is shown.
   void take(const EquivalenceRun& run) {
@@ -457,7 +461,7 @@ class ProgramComparison {
     guardSide(before_, product.oldSide());
     guardSide(after_, product.newSide());
     guardRuns(product);
-    if (usesPulses() && (comparesPulseOutputs() || dependOnDevices_) &&
+    if (usesPulses(*before_.program, *after_.program) && (comparesPulseOutputs() || dependOnDevices_) &&
         !product.pulsesCorrespond(correspondence_.isMerged))
       note(
           "what PLS makes of its outputs may differ in a way that is not compared: by profiles, or by constant "
@@ -505,11 +509,6 @@ class ProgramComparison {
     }
     if (!isSettled && result_.equality == Equality::Equal) result_.equality = Equality::Unknown;
     return true;
-  }
-  /// Without any PLS the generators stay off, whatever form their registers have.
-  bool usesPulses() const {
-    const auto isAny = [](const UsedPulses& used) { return std::ranges::any_of(used, std::identity{}); };
-    return isAny(pulseOutputsOf(*before_.program)) || isAny(pulseOutputsOf(*after_.program));
   }
   bool comparesPulseOutputs() const {
     constexpr std::uint32_t pulseOutputs = 2;

@@ -111,4 +111,17 @@ std::string undefinedText(const Program& program, const ExternalSite& site) {
   return what;
 }
 
+std::set<std::string> undefinedReads(const Program& before, const Program& after, const EquivalenceRun& run) {
+  std::set<std::string> reads;
+  for (const auto& [program, scans] : {std::pair{&before, &run.before}, {&after, &run.after}}) {
+    for (const ReplayScan& scan : *scans) {
+      for (const ExternalValue& value : scan.externals) {
+        if (isUndefinedRead(value.site.kind) && value.value != quietExternal(value.site))
+          reads.insert(undefinedText(*program, value.site));
+      }
+    }
+  }
+  return reads;
+}
+
 }  // namespace rungproof

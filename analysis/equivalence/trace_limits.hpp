@@ -2,6 +2,7 @@
 // is said. Tested by tests/equivalence/undefined_test.cpp.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,5 +20,7 @@ EquivalenceRun stimulusOnly(const Program& before, const Program& after, const E
 std::vector<std::string> beyondTrace(const BothRuns& runs, const EquivalenceRun& run);
 /// A read of something that nothing has given a value, in words, with its place.
 std::string undefinedText(const Program& program, const ExternalSite& site);
+/// Those of a run that find another value than usual.
+std::set<std::string> undefinedReads(const Program& before, const Program& after, const EquivalenceRun& run);
 
 }  // namespace rungproof

@@ -49,9 +49,10 @@ class Race::Workers {
     run_ = run;
     for (std::size_t q = 0; q < contests_.size(); ++q) begin(q);
     std::vector<std::thread> threads;
-    for (int i = 1; i < options_.jobs; ++i) threads.emplace_back([this] { work(); });
-    work();
+    for (int i = 1; i < options_.jobs; ++i) threads.emplace_back([this] { workOn(); });
+    workOn();
     for (std::thread& thread : threads) thread.join();
+    if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
     if (options_.log == nullptr) return;
     for (const Contest& contest : contests_) {
       for (std::size_t e = 0; e < engineKinds.size(); ++e) {
@@ -138,6 +139,18 @@ class Race::Workers {
     }
   }
 
+  /// Errors of ours end the race for all; who has asked gets the first of them.
+  void workOn() {
+    try {
+      work();
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+      for (Contest& contest : contests_) contest.done = contest.cancel = true;
+      changed_.notify_all();
+    }
+  }
+
   void work() {
     std::unique_lock<std::mutex> lock(mutex_);
     Task task{};
@@ -149,13 +162,18 @@ class Race::Workers {
       const double limit = std::min(runner.slice, std::max(contest.most - contest.used, schedule::leastSlice));
       lock.unlock();
       const double begin = Budget::threadSeconds();
-      if (runner.engine == nullptr) {
-        runner.own = engineKinds[task.engine].make(*questions_[task.question].system, engineOptions(task.question));
-        runner.engine = runner.own.get();
+      Verdict verdict;
+      bool ended = true;
+      try {
+        if (runner.engine == nullptr) {
+          runner.own = engineKinds[task.engine].make(*questions_[task.question].system, engineOptions(task.question));
+          runner.engine = runner.own.get();
+        }
+        verdict = runner.engine->advance(Budget(run_.deadline, &contest.cancel, options_.cancel).slice(limit));
+        ended = runner.engine->isExhausted();
+      } catch (const std::exception&) {  // an engine that breaks leaves the race; a broken CHECK has said so
+        verdict = {};
       }
-      const Verdict verdict =
-          runner.engine->advance(Budget(run_.deadline, &contest.cancel, options_.cancel).slice(limit));
-      const bool ended = runner.engine->isExhausted();
       const double used = Budget::threadSeconds() - begin;
       lock.lock();
       runner.working = false;
@@ -216,6 +234,7 @@ class Race::Workers {
   RaceRun run_;
   std::mutex mutex_;
   std::condition_variable changed_;
+  std::exception_ptr failure_;
 };
 
 std::string enginesOf(const Techniques& techniques) {

@@ -33,6 +33,13 @@ void leaveOpen(ProofResult& row, const std::vector<std::string>& reasons) {
   row.notes.insert(row.notes.end(), reasons.begin(), reasons.end());
 }
 
+/// An error of ours while a question was answered.
+void breakOff(ProofResult& row, const std::exception& error) {
+  leaveOpen(row, {fmt::format("internal error: {}; this is a defect of rungproof, and leaves the question open",
+                              error.what())});
+  row.outcome = Outcome::Unknown;
+}
+
 std::size_t goalCount(const PropertySet& set) {
   return static_cast<std::size_t>(
       std::count_if(set.properties.begin(), set.properties.end(), [](const Property& p) { return p.isGoal(); }));
@@ -88,11 +95,11 @@ class Session {
       if (!search_.isSettled(question) && (isOver() || search_.watch().isStopped()))
         row.notes.push_back(reasonToStop());
       else
-        settle(question,
-               {.deadline = std::min(start + inSeconds(most), deadlineOf(done + 1)),
-                .processor = isOfRule ? std::min(most, schedule::ruleProcessorSeconds) : most,
-                .isOfMany = isOfRule},
-               row, result);
+        settleAlone(question,
+                    {.deadline = std::min(start + inSeconds(most), deadlineOf(done + 1)),
+                     .processor = isOfRule ? std::min(most, schedule::ruleProcessorSeconds) : most,
+                     .isOfMany = isOfRule},
+                    row, result);
       row.seconds = secondsSince(start) + search_.quick(question).seconds;
       rows[i] = std::move(row);
       if (progress && !progress(*rows[i], done + 1, total)) break;
@@ -155,6 +162,15 @@ class Session {
     row.witness = witness;
   }
 
+  /// What breaks for one question costs that question only.
+  void settleAlone(std::size_t question, const QuestionSearch::Time& time, ProofResult& row, ProofRun& run) {
+    try {
+      settle(question, time, row, run);
+    } catch (const std::exception& error) {
+      breakOff(row, error);
+    }
+  }
+
   void settle(std::size_t question, const QuestionSearch::Time& time, ProofResult& row, ProofRun& run) {
     auto [answer, witness] = search_.answer(question, time);
     row.method = answer.method;
@@ -193,7 +209,17 @@ class Session {
     guardLeftOut(row);
     guardDecisions(row);
     guardUnreadCode(row);
-    if (options_.explains) nameCircumstances(question, row);
+    if (options_.explains)
+      nameCircumstances(question, row);
+    else
+      nameAnyValues(question, row);
+  }
+
+  /// Of the many questions of rules only what has any value is said.
+  void nameAnyValues(std::size_t question, ProofResult& row) {
+    const EncodedScan& encoding = search_.exact().askedProperties().encoding();
+    if (!hasAnyValues_) hasAnyValues_ = hasAnyValues(encoding);
+    if (*hasAnyValues_) row.assumptions = circumstancesOf(encoding, search_.exact().variablesOf(question)).anyValues;
   }
 
   /// The fixed choices that a question depends on without showing it: their readings are constants in its encoding, or
@@ -369,6 +395,7 @@ class Session {
   QuestionSearch search_;
   std::unique_ptr<Facts> facts_;
   std::unique_ptr<QuestionSystem> open_;  ///< the program under all readings, those of fixed choices too
+  std::optional<bool> hasAnyValues_;
   std::set<const Approximation*> noted_;  ///< what some result rests on
 };
 
@@ -441,29 +468,51 @@ ProofRun proveInParts(const Program& program, const PropertySet& set, const Prov
                 }));
 }
 
-/// Says which addresses of a property nothing writes. What holds for any program then holds vacuously.
-void noteUntouched(const Program& program, const PropertySet& set, const ProverOptions& options,
-                   std::vector<ProofResult>& rows) {
-  std::unique_ptr<const Facts> facts;
-  for (ProofResult& row : rows) {
-    if (row.builtin || row.property.first.nodes.empty()) continue;
-    if (!facts) facts = std::make_unique<const Facts>(program, set.externals);
-    const Operands untouched = untouchedBy(*facts, set, row.property);
-    for (const Operand& operand : untouched)
-      row.notes.push_back(fmt::format("no instruction writes {}", toString(operand)));
-    if (untouched.empty() || row.outcome != Outcome::Proved) continue;
-    const std::optional<AnyProgram> any = anyProgramFor(*facts, set, row.property);
-    if (!any) continue;
-    ProverOptions quick = options;
-    quick.checks = {};
-    quick.unread = nullptr;
-    quick.certificates = quick.evidence = false;
-    quick.timeout = std::min(options.timeout, schedule::premiseSeconds);
-    const ProofRun run = proveInParts(any->program, any->set, quick, {});
-    if (run.results.size() != 1 || run.results.front().outcome != Outcome::Proved) continue;
-    row.outcome = Outcome::Vacuous;
-    row.notes.push_back("it holds for any program that leaves these alone");
+/// Where an error of ours ends what is done for all questions together, each is asked alone.
+ProofRun proveApart(const Program& program, const PropertySet& set, const ProverOptions& options,
+                    const ProofProgress& progress) {
+  const std::size_t goals = goalCount(set), total = goals + (options.checks.any() ? 1 : 0);
+  try {
+    return proveInParts(program, set, options, progress);
+  } catch (const std::exception& error) {
+    if (total <= 1) {
+      ProofRun run;
+      run.assumptions = environmentTexts(program, set, options.time, options.choices);
+      ProofResult& row = run.results.emplace_back();
+      const auto goal = std::ranges::find_if(set.properties, [](const Property& p) { return p.isGoal(); });
+      if (goal != set.properties.end())
+        row.property = *goal;
+      else
+        row.property.name = "built-in checks";
+      breakOff(row, error);
+      if (progress) progress(row, 1, 1);
+      return run;
+    }
   }
+  std::optional<ProofRun> whole;
+  std::size_t done = 0;
+  bool goesOn = true;
+  const auto add = [&](const PropertySet& one, const ProverOptions& own) {
+    if (!goesOn) return;
+    ProofRun run = proveApart(program, one, own, [&](const ProofResult& row, std::size_t, std::size_t) {
+      goesOn = !progress || progress(row, done + 1, total);
+      return goesOn;
+    });
+    ++done;
+    whole = whole ? merged(set, std::move(*whole), std::move(run)) : std::move(run);
+  };
+  ProverOptions plain = options;
+  plain.checks = {};
+  PropertySet none = set;
+  std::erase_if(none.properties, [](const Property& p) { return p.isGoal(); });
+  for (const Property& property : set.properties) {
+    if (!property.isGoal()) continue;
+    PropertySet one = none;
+    one.properties.push_back(property);
+    add(one, plain);
+  }
+  if (options.checks.any()) add(none, options);
+  return std::move(*whole);
 }
 
 /// Why none of the properties can be settled: a statement about the world could not be read, an assumption speaks of
@@ -491,8 +540,8 @@ namespace {
 ProofRun proveAll(const Program& program, const PropertySet& set, const ProverOptions& options,
                   const ProofProgress& progress) {
   if (set.unread.empty() && (options.unread == nullptr || options.unread->empty())) {
-    ProofRun run = proveInParts(program, set, options, progress);
-    noteUntouched(program, set, options, run.results);
+    ProofRun run = proveApart(program, set, options, progress);
+    noteUntouched(program, set, options, run.results, proveInParts, breakOff);
     return run;
   }
   const std::vector<std::string> forAll = reasonsForAll(program, set, options.unread);
@@ -517,10 +566,10 @@ ProofRun proveAll(const Program& program, const PropertySet& set, const ProverOp
     leaveOpen(row, forAll);
   }
   if (goalCount(covered) > 0 || rest.checks.any()) {
-    result = proveInParts(program, covered, rest, [&](const ProofResult& row, std::size_t done, std::size_t total) {
+    result = proveApart(program, covered, rest, [&](const ProofResult& row, std::size_t done, std::size_t total) {
       return !progress || progress(row, open.size() + done, open.size() + total);
     });
-    noteUntouched(program, set, options, result.results);
+    noteUntouched(program, set, options, result.results, proveInParts, breakOff);
   } else {
     result.assumptions = environmentTexts(program, set, options.time, options.choices);
   }

@@ -46,7 +46,10 @@ class QuestionSearch::EarlyRuns {
       : search_(search), thread_([this, deadline] {
           for (int i = 0; i < schedule::earlyPatience && !isEnded_; ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
-          if (!isEnded_) explore(deadline);
+          try {
+            if (!isEnded_) explore(deadline);
+          } catch (const std::exception&) {  // a broken CHECK has said so; each question is asked by itself later
+          }
         }) {}
   ~EarlyRuns() {
     isEnded_ = true;
@@ -352,6 +355,20 @@ QuestionSearch::Found QuestionSearch::search(std::size_t question, Answer known)
   return found;
 }
 
+namespace {
+
+/// Ends a search in another thread before what it uses goes.
+struct Joined {
+  std::thread& thread;
+  std::atomic<bool>& cancel;
+  ~Joined() {
+    cancel = true;
+    if (thread.joinable()) thread.join();
+  }
+};
+
+}  // namespace
+
 /// The exact system and the accelerated one at the same time; the first valid result ends both. Witnesses of built-in
 /// checks are followed on the exact graph, which the other search extends: they wait for its end.
 QuestionSearch::Found QuestionSearch::race(std::size_t question) {
@@ -366,7 +383,9 @@ QuestionSearch::Found QuestionSearch::race(std::size_t question) {
   std::optional<Witness> witness;
   std::optional<QuestionAnswer> fastAnswer;
   std::optional<TransitionSystem> accelerated;
+  std::exception_ptr failure;
   std::thread fast;
+  const Joined joined{fast, cancelFast};
   const bool isBounded = options_.bound > 0;  // by scans of the program, which the accelerated system does not count
   const bool mayAccelerate = !isBounded && options_.techniques.has(Technique::Accelerated);
   QuestionSystem* relaxed =
@@ -374,7 +393,7 @@ QuestionSearch::Found QuestionSearch::race(std::size_t question) {
   if (relaxed != nullptr) {
     accelerated = relaxed->accelerated(question, options_.time);
     if (isWritten) accelerated = withExactReals(*accelerated, RealScope::All);
-    fast = std::thread([&] {
+    const auto search = [&] {
       PortfolioOptions options = portfolio(left(), deadline_, &cancelFast);
       options.jobs = 1;
       options.check = false;
@@ -391,6 +410,13 @@ QuestionSearch::Found QuestionSearch::race(std::size_t question) {
       if (!witness && question < goals_.size()) return;
       turn.settled();
       cancelExact = true;
+    };
+    fast = std::thread([&, search] {
+      try {
+        search();
+      } catch (...) {
+        failure = std::current_exception();
+      }
     });
   }
   std::optional<ExplorationThread> exploring;
@@ -405,6 +431,7 @@ QuestionSearch::Found QuestionSearch::race(std::size_t question) {
                               : answerQuestions(exact, portfolio(std::max(left(), 0.0), deadline_, &cancelExact))[0];
   if (answer.answer != Answer::Unknown) cancelFast = true;
   if (fast.joinable()) fast.join();
+  if (failure && answer.answer == Answer::Unknown) std::rethrow_exception(failure);
   const bool isExplored = exploring && exploring->end() && !witness;
   takeExplored();
   if (isExplored) witness = exploration_->found(question);

@@ -1,8 +1,12 @@
 // Asks the access lists who writes the addresses of a property.
 #include "analysis/proof/untouched.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <memory>
+
+#include "analysis/schedule/schedule.hpp"
 #include "analysis/unread/influence.hpp"
 
 namespace rungproof {
@@ -96,6 +100,39 @@ std::optional<AnyProgram> anyProgramFor(const Facts& facts, const PropertySet& s
     }
   }
   return any;
+}
+
+void noteUntouched(
+    const Program& program, const PropertySet& set, const ProverOptions& options, std::vector<ProofResult>& rows,
+    const std::function<ProofRun(const Program&, const PropertySet&, const ProverOptions&, const ProofProgress&)>& ask,
+    const std::function<void(ProofResult&, const std::exception&)>& broken) {
+  std::unique_ptr<const Facts> facts;
+  const auto note = [&](ProofResult& row) {
+    const Operands untouched = untouchedBy(*facts, set, row.property);
+    for (const Operand& operand : untouched)
+      row.notes.push_back(fmt::format("no instruction writes {}", toString(operand)));
+    if (untouched.empty() || row.outcome != Outcome::Proved) return;
+    const std::optional<AnyProgram> any = anyProgramFor(*facts, set, row.property);
+    if (!any) return;
+    ProverOptions quick = options;
+    quick.checks = {};
+    quick.unread = nullptr;
+    quick.certificates = quick.evidence = false;
+    quick.timeout = std::min(options.timeout, schedule::premiseSeconds);
+    const ProofRun run = ask(any->program, any->set, quick, {});
+    if (run.results.size() != 1 || run.results.front().outcome != Outcome::Proved) return;
+    row.outcome = Outcome::Vacuous;
+    row.notes.push_back("it holds for any program that leaves these alone");
+  };
+  for (ProofResult& row : rows) {
+    if (row.builtin || row.property.first.nodes.empty()) continue;
+    if (!facts) facts = std::make_unique<const Facts>(program, set.externals);
+    try {
+      note(row);
+    } catch (const std::exception& error) {
+      broken(row, error);
+    }
+  }
 }
 
 }  // namespace rungproof

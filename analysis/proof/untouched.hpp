@@ -3,6 +3,8 @@
 // Covered by tests/prover/untouched_test.cpp.
 #pragma once
 
+#include <exception>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -22,5 +24,12 @@ struct AnyProgram {
 };
 /// Nothing if a written address of the property cannot be given any value (timers, counters, accumulators).
 std::optional<AnyProgram> anyProgramFor(const Facts& facts, const PropertySet& set, const Property& property);
+
+/// Says which addresses of a property nothing writes. What holds for any program, as `ask` finds, holds vacuously.
+/// `broken` takes the rows at which an error of ours comes.
+void noteUntouched(
+    const Program& program, const PropertySet& set, const ProverOptions& options, std::vector<ProofResult>& rows,
+    const std::function<ProofRun(const Program&, const PropertySet&, const ProverOptions&, const ProofProgress&)>& ask,
+    const std::function<void(ProofResult&, const std::exception&)>& broken);
 
 }  // namespace rungproof

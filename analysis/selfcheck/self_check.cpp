@@ -54,9 +54,13 @@ class Checker {
     const auto work = [&] {
       for (std::size_t i = next++; i < check.results.size() && !isInterrupted(); i = next++) {
         FaultResult& result = check.results[i];
-        judge(result, options_.seconds);
-        if (result.fate == FaultFate::Undecided && options_.patience > options_.seconds && !isInterrupted())
-          judge(result, options_.patience);
+        try {
+          judge(result, options_.seconds);
+          if (result.fate == FaultFate::Undecided && options_.patience > options_.seconds && !isInterrupted())
+            judge(result, options_.patience);
+        } catch (const std::exception&) {  // an error of ours leaves this fault open; a broken CHECK has said so
+          result.fate = FaultFate::Undecided;
+        }
         isTried[i] = result.fate != FaultFate::Undecided || !isInterrupted() ? 1 : 0;
         const std::lock_guard lock(mutex);
         ++done;

