@@ -121,6 +121,7 @@ Report lintProgram(const Settings& settings, const ProgramInput& given, const st
     else if (!unread.isUnlimited())
       open = settleBySolver({unread.executable(), input.properties}, options, isSelected, report.findings);
     report.coverage.leftOut = std::move(open.lines);
+    report.assumptions.insert(report.assumptions.end(), open.assumptions.begin(), open.assumptions.end());
     report.coverage.open = open.count;
     report.techniques = open.techniques;
     report.defects = std::move(open.defects);

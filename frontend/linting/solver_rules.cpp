@@ -26,6 +26,9 @@ class OpenCount {
       if (result.builtin && !isSelected_(rule)) continue;
       Row& row = rows_[rule];
       ++row.asked;
+      for (const std::string& text : result.assumptions) {
+        if (std::ranges::find(open_.assumptions, text) == open_.assumptions.end()) open_.assumptions.push_back(text);
+      }
       if (result.outcome != Outcome::Unknown) continue;
       ++row.open;
       if (result.method.empty() && !result.notes.empty()) row.reason = result.notes.back();

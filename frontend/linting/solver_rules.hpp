@@ -17,8 +17,9 @@ namespace rungproof {
 struct OpenQuestions {
   std::vector<std::string> lines;  ///< "LOG001: 12 of 40 questions are open"
   std::size_t count = 0;
-  std::vector<std::string> defects;  ///< internal disagreements
-  TechniqueUses techniques{};        ///< what each has done
+  std::vector<std::string> defects;      ///< internal disagreements
+  std::vector<std::string> assumptions;  ///< what answers rest on: devices that have any value
+  TechniqueUses techniques{};            ///< what each has done
 };
 
 /// `findings` holds those of the flow analysis; candidates among them of the same rule and place are confirmed or

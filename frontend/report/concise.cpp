@@ -1,5 +1,5 @@
 // One line for each result, "file:line:col: error[ADR001] message", for editors, grep and problem matchers.
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <ostream>
 
@@ -23,9 +23,11 @@ void write(const Report& report, const ReportStyle& style, std::ostream& out) {
   }
   for (const PropertyResult& property : report.properties) {
     const std::string place = property.span ? placeText(*report.sources, *property.span) + ": " : std::string();
-    out << fmt::format("{}{} {}{}\n", messageText(place), verdictText(property.verdict, property.depth),
+    const std::string assumed =
+        property.assumptions.empty() ? "" : fmt::format(" (assumes: {})", fmt::join(property.assumptions, "; "));
+    out << fmt::format("{}{} {}{}{}\n", messageText(place), verdictText(property.verdict, property.depth),
                        messageText(property.title()),
-                       property.trace.empty() ? "" : " (" + messageText(property.trace) + ")");
+                       property.trace.empty() ? "" : " (" + messageText(property.trace) + ")", messageText(assumed));
   }
   if (report.comparison && report.comparison->isOfPrograms())
     out << report.comparison->verdict << (report.comparison->equal ? "\n" : " ");

@@ -1,9 +1,9 @@
 // Workflow commands that GitHub Actions shows as annotations on the changed lines.
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <ostream>
 
-#include "frontend/report.hpp"
+#include "frontend/report/basis.hpp"
 #include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
@@ -26,7 +26,9 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
   }
   for (const PropertyResult& property : report.properties) {
     const bool good = property.verdict == Outcome::Proved || property.verdict == Outcome::Reachable;
-    if (good) continue;
+    const std::vector<std::string> remarks = remarksBesideRun(property);
+    const bool isPlain = property.notes.empty() && property.assumptions.empty();
+    if (good && isPlain) continue;
     std::string place;
     if (property.span) {
       const SourceFile& file = report.sources->file(property.span->file);
@@ -38,14 +40,22 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
     std::string text = property.title();
     if (!property.statement.empty()) text += ": " + property.statement;
     for (const std::string& line : property.run) text += '\n' + line;
-    out << fmt::format("::{} {}title={}::{}\n", isOpen ? "warning" : "error", place,
-                       workflowText(verdictText(property.verdict, property.depth), true), workflowText(text, false));
+    for (const std::string& line : remarks) text += '\n' + line;
+    out << fmt::format("::{} {}title={}::{}\n",
+                       good     ? "notice"
+                       : isOpen ? "warning"
+                                : "error",
+                       place, workflowText(verdictText(property.verdict, property.depth), true),
+                       workflowText(text, false));
   }
   if (report.comparison && !report.comparison->equal) {
     const std::string& verdict = report.comparison->verdict;
     out << fmt::format("::error title={}::{}\n", verdict.empty() ? "traces differ" : verdict,
                        workflowText(differenceText(*report.comparison), false));
   }
+  if (const std::vector<std::string> basis = basisOf(report); !basis.empty())
+    out << fmt::format("::notice title=what this rests on::{}\n",
+                       workflowText(fmt::format("{}", fmt::join(basis, "\n")), false));
 }
 
 }  // namespace

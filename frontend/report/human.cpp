@@ -6,7 +6,7 @@
 #include <ostream>
 
 #include "analysis/rule.hpp"
-#include "frontend/report.hpp"
+#include "frontend/report/basis.hpp"
 #include "frontend/text/excerpt.hpp"
 #include "frontend/text/safe_text.hpp"
 
@@ -33,7 +33,7 @@ class HumanWriter {
     if (report_.comparison) writeComparison(*report_.comparison);
     if (report_.selfCheck) writeSelfCheck(*report_.selfCheck);
     const bool isOfPrograms = report_.comparison && report_.comparison->isOfPrograms();
-    if (!report_.properties.empty() || isOfPrograms) writeBasis();
+    writeBasis();
     for (const std::string& line : report_.coverage.leftOut) out_ << fmt::format("left out: {}\n", messageText(line));
     if (style_.verbose && report_.techniques) writeTechniques(*report_.techniques);
     if (isOfPrograms) out_ << verdictLine(*report_.comparison) << '\n';
@@ -133,12 +133,8 @@ class HumanWriter {
     if (property.span && hasPlace(*property.span)) {
       writePlace(*property.span, digits(report_.sources->position(*property.span).line), "", '^', painter);
     }
-    for (const std::string& note : property.notes)
-      out_ << fmt::format("  {} {}\n", paint_.blue("="), messageText(note));
-    for (const std::string& assumption : property.assumptions)
-      out_ << fmt::format("  {} assumes: {}\n", paint_.blue("="), messageText(assumption));
-    if (!property.networks.empty())
-      out_ << fmt::format("  {} rests on networks: {}\n", paint_.blue("="), messageText(property.networks));
+    for (const std::string& remark : remarksOf(property))
+      out_ << fmt::format("  {} {}\n", paint_.blue("="), messageText(remark));
     if (!property.trace.empty()) out_ << fmt::format("  {} trace: {}\n", paint_.blue("="), messageText(property.trace));
     for (const ShownScan& scan : property.scans) writeScan(scan);
     if (!property.scans.empty() && !property.scans.back().networks.empty() &&
@@ -190,11 +186,9 @@ class HumanWriter {
 
   /// What the verdicts rest on.
   void writeBasis() {
-    out_ << '\n';
-    for (const std::string& assumption : report_.assumptions)
-      out_ << fmt::format("assumes: {}\n", messageText(assumption));
-    for (const std::string& place : report_.coverage.approximated)
-      out_ << fmt::format("approximated: {}\n", messageText(place));
+    const std::vector<std::string> basis = basisOf(report_);
+    if (!report_.properties.empty() || !basis.empty()) out_ << '\n';
+    for (const std::string& line : basis) out_ << messageText(line) << '\n';
   }
 
   /// The last line of a comparison of programs.

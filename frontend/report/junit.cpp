@@ -5,7 +5,7 @@
 #include <pugixml.hpp>
 
 #include "analysis/rule.hpp"
-#include "frontend/report.hpp"
+#include "frontend/report/basis.hpp"
 #include "frontend/text/excerpt.hpp"
 #include "frontend/text/safe_text.hpp"
 
@@ -37,6 +37,12 @@ void setCounts(pugi::xml_node node, std::size_t tests, std::size_t failures, std
     node.append_attribute("skipped") = static_cast<unsigned long long>(skipped);
 }
 
+/// Remarks of a case or of a suite, a line each.
+void addOutput(pugi::xml_node node, const std::vector<std::string>& lines) {
+  if (lines.empty()) return;
+  node.append_child("system-out").text() = fmt::format("{}", fmt::join(lines, "\n")).c_str();
+}
+
 class JunitWriter {
  public:
   JunitWriter(const Report& report, pugi::xml_node root) : report_(report), root_(root) {}
@@ -45,6 +51,7 @@ class JunitWriter {
     for (std::uint32_t file = 0; report_.sources != nullptr && file < report_.sources->size(); ++file) writeFile(file);
     writeProperties();
     writeComparison();
+    if (report_.properties.empty() && !report_.comparison) writeBasis();
     setCounts(root_, tests_, failures_, 0);
   }
 
@@ -100,10 +107,24 @@ class JunitWriter {
           break;
         default: test.append_child("skipped").append_attribute("message") = verdict.c_str(); ++skipped;
       }
+      addOutput(test, remarksBesideRun(property));
     }
+    addOutput(suite, basisOf(report_));
     setCounts(suite, report_.properties.size(), failed, skipped);
     tests_ += report_.properties.size();
     failures_ += failed;
+  }
+
+  /// What the answers of lint --prove rest on.
+  void writeBasis() {
+    const std::vector<std::string> lines = basisOf(report_);
+    if (lines.empty()) return;
+    pugi::xml_node suite = root_.append_child("testsuite");
+    suite.append_attribute("name") = "basis";
+    addCase(suite, "basis", report_.command, 0);
+    addOutput(suite, lines);
+    setCounts(suite, 1, 0, 0);
+    ++tests_;
   }
 
   void writeComparison() {
@@ -115,6 +136,8 @@ class JunitWriter {
     const bool isFailed = !c.equal && !c.isUndecided();
     if (c.isUndecided()) test.append_child("skipped").append_attribute("message") = lineText(differenceText(c)).c_str();
     if (isFailed) addFailure(test, "difference", differenceText(c), "");
+    addOutput(test, c.notes);
+    if (c.isOfPrograms()) addOutput(suite, basisOf(report_));
     failures_ += isFailed ? 1 : 0;
     setCounts(suite, 1, isFailed ? 1 : 0, c.isUndecided() ? 1 : 0);
     ++tests_;

@@ -10,7 +10,7 @@
 #include "frontend/explain/rule_page.hpp"
 #include "frontend/files/json.hpp"
 #include "frontend/linting/fingerprint.hpp"
-#include "frontend/report.hpp"
+#include "frontend/report/basis.hpp"
 #include "frontend/report/long_array.hpp"
 
 namespace rungproof {
@@ -133,6 +133,8 @@ Json resultOf(const PropertyResult& property, const Report& report, std::size_t 
     result["locations"] = Json::array({{{"physicalLocation", physicalLocation(*report.sources, *property.span)}}});
   if (property.run.size() > 1) result["codeFlows"] = codeFlowOf(property, report);
   result["partialFingerprints"] = {{"rungproof/v1", fingerprintOf({idOf(property), property.statement})}};
+  if (const std::vector<std::string> remarks = remarksBesideRun(property); !remarks.empty())
+    result["properties"] = {{"remarks", remarks}};
   return result;
 }
 
@@ -154,10 +156,10 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
     const PropertyResult& property = report.properties[i - findings];
     return resultOf(property, report, ruleIndex.at(idOf(property)));
   };
-  const Json run = {
-      {"tool", {{"driver", {{"name", "rungproof"}, {"semanticVersion", programVersion()}, {"rules", rules}}}}},
-      {"columnKind", "unicodeCodePoints"},
-      {"results", Json::array()}};
+  Json run = {{"tool", {{"driver", {{"name", "rungproof"}, {"semanticVersion", programVersion()}, {"rules", rules}}}}},
+              {"columnKind", "unicodeCodePoints"},
+              {"results", Json::array()}};
+  if (const std::vector<std::string> basis = basisOf(report); !basis.empty()) run["properties"] = {{"basis", basis}};
   const Json log = {
       {"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"version", "2.1.0"}, {"runs", Json::array({run})}};
   writeWithItems(out, log, "results", 6, findings + report.properties.size(), resultAt);
