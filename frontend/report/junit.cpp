@@ -40,7 +40,9 @@ void setCounts(pugi::xml_node node, std::size_t tests, std::size_t failures, std
 /// Remarks of a case or of a suite, a line each.
 void addOutput(pugi::xml_node node, const std::vector<std::string>& lines) {
   if (lines.empty()) return;
-  node.append_child("system-out").text() = fmt::format("{}", fmt::join(lines, "\n")).c_str();
+  std::vector<std::string> safe;
+  for (const std::string& line : lines) safe.push_back(lineText(line));
+  node.append_child("system-out").text() = fmt::format("{}", fmt::join(safe, "\n")).c_str();
 }
 
 class JunitWriter {
