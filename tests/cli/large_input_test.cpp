@@ -25,7 +25,7 @@ std::string repeated(std::size_t count, const Element& element) {
   return text;
 }
 
-const std::string motor = "Network 1\nLD I0.0\n= Q0.0\n";
+const std::string oneRung = "Network 1\nLD I0.0\n= Q0.0\n";
 
 // Forty kilobytes a finding before: 800 MB for this file. The text itself has 2.3 kB a finding.
 TEST(LargeInput, ReportsOfManyFindingsTakeNoMoreMemoryThanTheFindings) {
@@ -62,7 +62,7 @@ TEST(LargeInput, ColumnsAndNamesAreLookedUpOnce) {
   const std::string program = folder.file(
       "p.awl",
       repeated(200'000, [](std::size_t i) { return "//@ prove p" + std::to_string(i) + ": Q0.0 implies I0.0\n"; }) +
-          "//@ prove p7: Q0.0 implies I0.0\n" + motor);
+          "//@ prove p7: Q0.0 implies I0.0\n" + oneRung);
   const ProcessRun linted = execute({"lint", "--isolated", program});
   EXPECT_FALSE(linted.isCut);
   EXPECT_NE(linted.output.find("the name 'p7' is already taken"), std::string::npos) << linted.output.substr(0, 500);
@@ -71,7 +71,7 @@ TEST(LargeInput, ColumnsAndNamesAreLookedUpOnce) {
 TEST(LargeInput, DeepNestingIsAnAnswerOrARefusal) {
   const TemporaryFolder folder;
   constexpr std::size_t depth = 100'000;
-  const std::string program = folder.file("p.awl", motor), open(depth, '['), close(depth, ']');
+  const std::string program = folder.file("p.awl", oneRung), open(depth, '['), close(depth, ']');
   const ProgramRun baseline = run({"lint", "--isolated", "--baseline", folder.file("b.json", open + close), program});
   EXPECT_EQ(baseline.exit, 2) << baseline.out << baseline.err;
   for (const std::string& toml :
