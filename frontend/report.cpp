@@ -1,7 +1,7 @@
 // Counting and ordering of results. Tested by tests/cli/report_test.cpp.
 #include "frontend/report.hpp"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <numeric>
@@ -9,7 +9,6 @@
 
 #include "analysis/read_errors.hpp"
 #include "analysis/rule.hpp"
-#include "frontend/report/basis.hpp"
 
 namespace rungproof {
 
@@ -56,29 +55,6 @@ FaultCounts countsOf(const std::vector<PlantedFault>& faults) {
                                    : count.withoutEffect);
   }
   return count;
-}
-
-std::vector<std::string> remarksOf(const PropertyResult& property) {
-  std::vector<std::string> lines = property.notes;
-  for (const std::string& assumption : property.assumptions) lines.push_back("assumes: " + assumption);
-  if (!property.networks.empty()) lines.push_back("rests on networks: " + property.networks);
-  return lines;
-}
-
-std::vector<std::string> remarksBesideRun(const PropertyResult& property) {
-  std::vector<std::string> lines = remarksOf(property);
-  std::erase_if(lines,
-                [&](const std::string& line) { return std::ranges::find(property.run, line) != property.run.end(); });
-  return lines;
-}
-
-std::vector<std::string> basisOf(const Report& report) {
-  const bool isOfPrograms = report.comparison && report.comparison->isOfPrograms();
-  std::vector<std::string> lines;
-  if (report.properties.empty() && !isOfPrograms && report.command != "lint") return lines;
-  for (const std::string& assumption : report.assumptions) lines.push_back("assumes: " + assumption);
-  for (const std::string& place : report.coverage.approximated) lines.push_back("approximated: " + place);
-  return lines;
 }
 
 Summary summaryOf(const Report& report) {

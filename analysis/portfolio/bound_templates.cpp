@@ -135,8 +135,7 @@ class TemplateSearch {
     std::set<std::uint64_t> constants;
     std::size_t seen = 0;
     for (const Node n : coneOf(graph_, roots)) {
-      constexpr std::size_t nodesBetweenLooks = 1024;
-      if (++seen % nodesBetweenLooks == 0 && budget_.isExhausted()) return;
+      if (++seen % schedule::nodesBetweenLooks == 0 && budget_.isExhausted()) return;
       const NodeData& node = graph_[n];
       if (node.op == Op::Constant && node.value > 1 && node.value <= Graph::maskOf(widthOf(self)))
         constants.insert(node.value);

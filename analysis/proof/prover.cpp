@@ -104,9 +104,8 @@ class Session {
       rows[i] = std::move(row);
       if (progress && !progress(*rows[i], done + 1, total)) break;
     }
-    for (std::optional<ProofResult>& row : rows) {
+    for (std::optional<ProofResult>& row : rows)
       if (row) result.results.push_back(std::move(*row));
-    }
     QuestionSystem& exact = search_.exact();
     for (const Approximation& approximation : exact.askedProperties().approximations()) {
       if (!isWrittenOut(*exact.system().graph, approximation) || noted_.contains(&approximation))

@@ -232,6 +232,7 @@
   ROW(double, guidedSeconds, 10, "s", "for one with a guide, which Z3 does not have") \
   ROW(double, stepByStepSeconds, 1, "s", "for an obligation whose refutation is followed step by step, before Z3") \
   ROW(std::size_t, stepsBetweenLooks, 64, "steps", "of a refutation between two looks at the clock") \
+  ROW(std::size_t, nodesBetweenLooks, 1024, "nodes", "read for bounds between two looks at the clock") \
   ROW(double, plainCheckSeconds, 3, "s", "for a plain strategy that starts fast, before Z3's own for QF_BV") \
   ROW(double, jointSeconds, 0.3, "s", "for several formulas at once") \
   ROW(std::size_t, smallFormula, 1000, "numbers", "in the form of a formula that is checked with others") \

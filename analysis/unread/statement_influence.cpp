@@ -93,11 +93,10 @@ RegisterUse useOfRole(const Instruction& instruction, bool goesOn) {
     case StatementRole::Nothing: return {};
     case StatementRole::Other: break;
   }
-  const std::string_view name = instruction.desc->stl;
   if (instruction.desc->control == Control::LabelMark) return {};
   if (loadsElement(instruction)) return {0, accu1 | accu2, accu1};
-  if (name == "L STW") return {rlo | br | result, accus, 0};
-  if (name.starts_with("L D")) return {db | di, accus, 0};
+  if (loadsStatus(instruction)) return {rlo | br | result, accus, 0};
+  if (loadsBlockFact(instruction)) return {db | di, accus, 0};
   return {accus | result, accus | result, 0};
 }
 

@@ -494,7 +494,7 @@ namespace {
 void leaveOut(Network& network) {
   if (network.instructions.empty()) return;
   Instruction set;
-  set.desc = s7300Instructions().named("SET");
+  set.desc = setRloStatement();
   set.span = network.instructions.front().mnemonic();
   set.mnemonicLength = set.span.length;
   std::erase_if(network.instructions, [](const Instruction& each) { return each.desc->control != Control::LabelMark; });

@@ -6,7 +6,7 @@ namespace rungproof::iec {
 
 namespace {
 
-enum class Call : std::uint8_t {
+enum class FunctionKind : std::uint8_t {
   Operator,
   Compare,
   Shift,
@@ -21,48 +21,48 @@ enum class Call : std::uint8_t {
 };
 
 struct StandardFunction {
-  Call call;
+  FunctionKind call;
   std::string_view op;  ///< operator or mnemonic
   RealFunction function = RealFunction::Sqrt;
 };
 
 const std::map<std::string, StandardFunction>& standardFunctions() {
   static const std::map<std::string, StandardFunction> all = {
-      {"ADD", {Call::Operator, "+"}},
-      {"SUB", {Call::Operator, "-"}},
-      {"MUL", {Call::Operator, "*"}},
-      {"DIV", {Call::Operator, "/"}},
-      {"MOD", {Call::Operator, "MOD"}},
-      {"AND", {Call::Operator, "AND"}},
-      {"OR", {Call::Operator, "OR"}},
-      {"XOR", {Call::Operator, "XOR"}},
-      {"NOT", {Call::Not, ""}},
-      {"GT", {Call::Compare, ">"}},
-      {"GE", {Call::Compare, ">="}},
-      {"EQ", {Call::Compare, "="}},
-      {"LE", {Call::Compare, "<="}},
-      {"LT", {Call::Compare, "<"}},
-      {"NE", {Call::Compare, "<>"}},
-      {"SHL", {Call::Shift, "SHL"}},
-      {"SHR", {Call::Shift, "SHR"}},
-      {"ROL", {Call::Shift, "ROL"}},
-      {"ROR", {Call::Shift, "ROR"}},
-      {"SEL", {Call::Select, ""}},
-      {"MUX", {Call::Mux, ""}},
-      {"MAX", {Call::Extreme, "MAX"}},
-      {"MIN", {Call::Extreme, "MIN"}},
-      {"LIMIT", {Call::Limit, ""}},
-      {"ABS", {Call::Absolute, ""}},
-      {"MOVE", {Call::Move, ""}},
-      {"SQRT", {Call::RealFunction, "", RealFunction::Sqrt}},
-      {"SIN", {Call::RealFunction, "", RealFunction::Sin}},
-      {"COS", {Call::RealFunction, "", RealFunction::Cos}},
-      {"TAN", {Call::RealFunction, "", RealFunction::Tan}},
-      {"LN", {Call::RealFunction, "", RealFunction::Ln}},
-      {"EXP", {Call::RealFunction, "", RealFunction::Exp}},
-      {"ASIN", {Call::RealFunction, "", RealFunction::ArcSin}},
-      {"ACOS", {Call::RealFunction, "", RealFunction::ArcCos}},
-      {"ATAN", {Call::RealFunction, "", RealFunction::ArcTan}},
+      {"ADD", {FunctionKind::Operator, "+"}},
+      {"SUB", {FunctionKind::Operator, "-"}},
+      {"MUL", {FunctionKind::Operator, "*"}},
+      {"DIV", {FunctionKind::Operator, "/"}},
+      {"MOD", {FunctionKind::Operator, "MOD"}},
+      {"AND", {FunctionKind::Operator, "AND"}},
+      {"OR", {FunctionKind::Operator, "OR"}},
+      {"XOR", {FunctionKind::Operator, "XOR"}},
+      {"NOT", {FunctionKind::Not, ""}},
+      {"GT", {FunctionKind::Compare, ">"}},
+      {"GE", {FunctionKind::Compare, ">="}},
+      {"EQ", {FunctionKind::Compare, "="}},
+      {"LE", {FunctionKind::Compare, "<="}},
+      {"LT", {FunctionKind::Compare, "<"}},
+      {"NE", {FunctionKind::Compare, "<>"}},
+      {"SHL", {FunctionKind::Shift, "SHL"}},
+      {"SHR", {FunctionKind::Shift, "SHR"}},
+      {"ROL", {FunctionKind::Shift, "ROL"}},
+      {"ROR", {FunctionKind::Shift, "ROR"}},
+      {"SEL", {FunctionKind::Select, ""}},
+      {"MUX", {FunctionKind::Mux, ""}},
+      {"MAX", {FunctionKind::Extreme, "MAX"}},
+      {"MIN", {FunctionKind::Extreme, "MIN"}},
+      {"LIMIT", {FunctionKind::Limit, ""}},
+      {"ABS", {FunctionKind::Absolute, ""}},
+      {"MOVE", {FunctionKind::Move, ""}},
+      {"SQRT", {FunctionKind::RealFunction, "", RealFunction::Sqrt}},
+      {"SIN", {FunctionKind::RealFunction, "", RealFunction::Sin}},
+      {"COS", {FunctionKind::RealFunction, "", RealFunction::Cos}},
+      {"TAN", {FunctionKind::RealFunction, "", RealFunction::Tan}},
+      {"LN", {FunctionKind::RealFunction, "", RealFunction::Ln}},
+      {"EXP", {FunctionKind::RealFunction, "", RealFunction::Exp}},
+      {"ASIN", {FunctionKind::RealFunction, "", RealFunction::ArcSin}},
+      {"ACOS", {FunctionKind::RealFunction, "", RealFunction::ArcCos}},
+      {"ATAN", {FunctionKind::RealFunction, "", RealFunction::ArcTan}},
   };
   return all;
 }
@@ -145,14 +145,15 @@ const Type* Lowering::standardResult(Scope& scope, const std::string& name, cons
            Syntax::IecName);
   }
   std::vector<const Expr*> values = plainArguments(expr, {"IN", "G", "K", "MN", "IN0", "IN1", "IN2", "MX", "N"});
-  if (found->second.call == Call::Compare) return elementaryType("BOOL");
-  if (found->second.call == Call::RealFunction) return elementaryType("REAL");
+  if (found->second.call == FunctionKind::Compare) return elementaryType("BOOL");
+  if (found->second.call == FunctionKind::RealFunction) return elementaryType("REAL");
   if (values.empty()) refuse(expr.span, fmt::format("the arguments of {} do not fit", name));
-  if (found->second.call == Call::Shift || found->second.call == Call::Absolute || found->second.call == Call::Move ||
-      found->second.call == Call::Not)
+  if (found->second.call == FunctionKind::Shift || found->second.call == FunctionKind::Absolute ||
+      found->second.call == FunctionKind::Move || found->second.call == FunctionKind::Not)
     return typeOf(scope, *values[0]);
-  if (found->second.call == Call::Select || found->second.call == Call::Mux) values.erase(values.begin());
-  if (found->second.call == Call::Operator) {
+  if (found->second.call == FunctionKind::Select || found->second.call == FunctionKind::Mux)
+    values.erase(values.begin());
+  if (found->second.call == FunctionKind::Operator) {
     for (const Expr* one : values) {
       const Type* type = typeOf(scope, *one);
       if (type != nullptr && type->kind == Kind::Time) return type;
@@ -244,7 +245,7 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
   if (found == standardFunctions().end()) return conversion(scope, name, expr);
   const StandardFunction& row = found->second;
   std::vector<const Expr*> values = plainArguments(expr, {"IN", "G", "K", "MN", "IN0", "IN1", "IN2", "MX", "N"});
-  if (row.call == Call::Limit) values = plainArguments(expr, {"MN", "IN", "MX"});
+  if (row.call == FunctionKind::Limit) values = plainArguments(expr, {"MN", "IN", "MX"});
   const auto need = [&](std::size_t least, std::size_t most) {
     if (values.size() < least || values.size() > most)
       refuse(expr.span, fmt::format("the arguments of {} do not fit", name));
@@ -254,14 +255,14 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
     return type != nullptr && type->kind == Kind::Time;
   };
   switch (row.call) {
-    case Call::Not: {
+    case FunctionKind::Not: {
       need(1, 1);
       const Type* type = value(scope, *values[0], wanted);
       emit("NOT", {type->width});
       return type;
     }
-    case Call::Move: need(1, 1); return value(scope, *values[0], wanted);
-    case Call::Operator: {
+    case FunctionKind::Move: need(1, 1); return value(scope, *values[0], wanted);
+    case FunctionKind::Operator: {
       need(2, 64);
       if ((row.op == "*" || row.op == "/") && (isTimeValue(values[0]) || isTimeValue(values[1])))
         refuse(expr.span, "write * or / between a duration and a number");
@@ -273,7 +274,7 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
       }
       return type;
     }
-    case Call::Compare: {
+    case FunctionKind::Compare: {
       need(2, 64);
       const Type* type = commonOf(scope, values, nullptr, expr.span);
       for (std::size_t i = 0; i + 1 < values.size(); ++i) {
@@ -284,7 +285,7 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
       }
       return &boolean;
     }
-    case Call::Shift: {
+    case FunctionKind::Shift: {
       need(2, 2);
       const Type* type = value(scope, *values[0], wanted);
       if (!type->isNumber()) refuse(expr.span, fmt::format("{} of {}", name, type->name));
@@ -296,7 +297,7 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
       emit(row.op, {type->width});
       return type;
     }
-    case Call::Select: {
+    case FunctionKind::Select: {
       need(3, 3);
       valueAs(scope, *values[0], boolean);
       const Type* type = commonOf(scope, {values[1], values[2]}, wanted, expr.span);
@@ -305,7 +306,7 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
       emit("SEL", {type->width});
       return type;
     }
-    case Call::Mux: {
+    case FunctionKind::Mux: {
       need(3, 64);
       const std::vector<const Expr*> inputs(values.begin() + 1, values.end());
       const Type* type = commonOf(scope, inputs, wanted, expr.span);
@@ -327,16 +328,16 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
       load(*type, result);
       return type;
     }
-    case Call::Extreme:
-    case Call::Limit: {
-      if (row.call == Call::Limit) need(3, 3);
+    case FunctionKind::Extreme:
+    case FunctionKind::Limit: {
+      if (row.call == FunctionKind::Limit) need(3, 3);
       need(2, 64);
       const Type* type = commonOf(scope, values, wanted, expr.span);
       const auto extreme = [&](std::string_view op) {
         if (type->kind == Kind::Real) return emit(std::string(op) + ".REAL");
         emit(op, {type->width, type->isSigned ? 1 : 0});
       };
-      if (row.call == Call::Limit) {  // MIN(MAX(IN, MN), MX)
+      if (row.call == FunctionKind::Limit) {  // MIN(MAX(IN, MN), MX)
         valueAs(scope, *values[1], *type);
         valueAs(scope, *values[0], *type);
         extreme("MAX");
@@ -351,7 +352,7 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
       }
       return type;
     }
-    case Call::Absolute: {
+    case FunctionKind::Absolute: {
       need(1, 1);
       const Type* type = value(scope, *values[0], wanted);
       if (type->kind == Kind::Real) {
@@ -361,7 +362,7 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
       }
       return type;
     }
-    case Call::RealFunction: {
+    case FunctionKind::RealFunction: {
       need(1, 1);
       valueAs(scope, *values[0], *elementaryType("REAL"));
       emit("FUNC.REAL", {static_cast<std::int64_t>(row.function)});

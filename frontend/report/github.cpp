@@ -3,7 +3,7 @@
 
 #include <ostream>
 
-#include "frontend/report/basis.hpp"
+#include "frontend/report_basis.hpp"
 #include "frontend/text/safe_text.hpp"
 
 namespace rungproof {

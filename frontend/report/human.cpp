@@ -6,7 +6,7 @@
 #include <ostream>
 
 #include "analysis/rule.hpp"
-#include "frontend/report/basis.hpp"
+#include "frontend/report_basis.hpp"
 #include "frontend/text/excerpt.hpp"
 #include "frontend/text/safe_text.hpp"
 

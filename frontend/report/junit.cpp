@@ -5,7 +5,7 @@
 #include <pugixml.hpp>
 
 #include "analysis/rule.hpp"
-#include "frontend/report/basis.hpp"
+#include "frontend/report_basis.hpp"
 #include "frontend/text/excerpt.hpp"
 #include "frontend/text/safe_text.hpp"
 

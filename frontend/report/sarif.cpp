@@ -10,8 +10,8 @@
 #include "frontend/explain/rule_page.hpp"
 #include "frontend/files/json.hpp"
 #include "frontend/linting/fingerprint.hpp"
-#include "frontend/report/basis.hpp"
 #include "frontend/report/long_array.hpp"
+#include "frontend/report_basis.hpp"
 
 namespace rungproof {
 

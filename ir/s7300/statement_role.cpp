@@ -137,6 +137,12 @@ bool loadsElement(const Instruction& instruction) {
   return name == "L T" || name == "LC T" || name == "L C" || name == "LC C";
 }
 
+bool loadsStatus(const Instruction& instruction) { return instruction.desc->stl == "L STW"; }
+
+bool loadsBlockFact(const Instruction& instruction) { return instruction.desc->stl.starts_with("L D"); }
+
+const Desc* setRloStatement() { return s7300Instructions().named("SET"); }
+
 bool asksOverflow(const Instruction& instruction) {
   const StatementRole role = statementRole(instruction);
   const std::string_view name = instruction.desc->stl;

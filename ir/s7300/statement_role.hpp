@@ -91,6 +91,12 @@ std::optional<Product> productOf(const Instruction& instruction);
 bool comparesForEquality(const Instruction& instruction);
 /// L and LC of a timer or counter.
 bool loadsElement(const Instruction& instruction);
+/// L STW.
+bool loadsStatus(const Instruction& instruction);
+/// L DBNO, L DINO, L DBLG, L DILG.
+bool loadsBlockFact(const Instruction& instruction);
+/// SET, for a place where a logic string shall begin anew.
+const Desc* setRloStatement();
 /// JO, JOS, and scans of OV and OS.
 bool asksOverflow(const Instruction& instruction);
 /// Whether it leaves all accumulators alone and the next statement of the text runs behind it.
