@@ -278,15 +278,15 @@ class Session {
   /// A proof about a program that was read along a decision which does not hold is none.
   void guardDecisions(ProofResult& row) {
     if (row.outcome != Outcome::Proved && row.outcome != Outcome::Unreachable) return;
-    const std::string wrong = search_.wrongDecisions();
-    if (wrong.empty()) return;
+    const auto wrong = search_.wrongDecisions();
+    if (wrong.text.empty()) return;
+    row.notes.push_back((wrong.areRefuted ? "the proof is refused: " : "") + wrong.text);
+    if (!wrong.areRefuted) return;
     row.outcome = Outcome::Unknown;
     row.certificate.clear();
-    row.notes.push_back("the proof is refused: " + wrong);
   }
 
-  /// Networks that decide the property: a proof without earlier scans depends on the state that its invariant speaks
-  /// of.
+  /// Networks that decide the property: without earlier scans, those of the state that the invariant speaks of.
   std::vector<NetworkName> networksOf(std::size_t question, const QuestionAnswer& answer) {
     const Operands read = addressesOf(question);
     if (!facts_) facts_ = std::make_unique<Facts>(program_, set_.externals);

@@ -143,7 +143,7 @@ std::vector<CheckResult> QuestionSearch::judge(const std::vector<Claim>& claims,
   return results;
 }
 
-std::string QuestionSearch::wrongDecisions() {
+QuestionSearch::WrongDecisions QuestionSearch::wrongDecisions() {
   AsWritten* side = options_.evidence ? asWritten() : nullptr;
   if (side == nullptr) return {};
   // What was found before an interruption is worth a short look.
@@ -157,10 +157,12 @@ std::string QuestionSearch::wrongDecisions() {
   limits.cancel = isStopped ? nullptr : &cancel;
   const CheckResult result = side->told().check(limits);
   if (result == CheckResult::Valid) return {};
-  return result == CheckResult::Invalid
-             ? fmt::format("the check of what the encoding relies on fails for {}: a defect of rungproof",
-                           side->told().reason())
-             : fmt::format("what the encoding relies on was not checked in time: {}", side->told().reason());
+  return side->told().isRefuted()
+             ? WrongDecisions{true, fmt::format("the check of what the encoding relies on fails for {}: a defect of "
+                                                "rungproof",
+                                                side->told().reason())}
+             : WrongDecisions{false, fmt::format("what the encoding was told is not shown by the certificate: {}",
+                                                 side->told().reason())};
 }
 
 /// Of the engine for one goal, when solvers have found a run that it does not repeat.
@@ -281,6 +283,8 @@ std::string QuestionSearch::certificate(std::size_t question, const QuestionAnsw
     if (certificate) {
       const std::string own =
           certificateText(side->system(question, hasReals), side->question(question, hasReals), *certificate);
+      const std::string notShown = wrongDecisions().text;
+      if (!notShown.empty()) return cone + "; " + notShown + '\n' + own;
       const std::string told = side->told().text();
       return cone + (told.empty() ? own : told + "(reset)\n" + own);
     }

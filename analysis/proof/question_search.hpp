@@ -79,9 +79,13 @@ class QuestionSearch {
   /// empty if the form of the program decides the question, so that there is nothing to be solved.
   std::string certificate(std::size_t question, const QuestionAnswer& answer);
 
-  /// What of the decisions that led the encoding does not hold or was not shown, in which case nothing that was proved
-  /// counts; empty if all do, or if there is no such encoding.
-  std::string wrongDecisions();
+  /// What of the decisions that led the encoding does not hold, in which case nothing that was proved counts, or was
+  /// not shown; empty if all do, or if there is no such encoding.
+  struct WrongDecisions {
+    bool areRefuted = false;
+    std::string text{};
+  };
+  WrongDecisions wrongDecisions();
 
   /// Whether the question at hand may take more time.
   bool mayGoOn() const { return left() > 0 && !watch_.isStopped(); }

@@ -48,15 +48,15 @@ ToldProof::ToldProof(const TransitionSystem& system, const ToldFacts& told, cons
     : system_(system) {
   std::unordered_set<Node> keeps;
   for (const KeptCell& cell : kept) keeps.insert(cell.node);
-  const auto add = [&](const char* name, const std::vector<Node>& facts, auto&& isMeant) {
+  const auto add = [&](const char* name, const std::vector<Node>& facts, bool isRefutable, auto&& isMeant) {
     if (facts.empty()) return;
-    parts_.push_back({name, conjunction(*system_.graph, facts), {}});
+    parts_.push_back({name, conjunction(*system_.graph, facts), isRefutable, {}});
     parts_.back().invariant.invariant = knownBehind(system_, told, {parts_.back().fact}, isMeant);
   };
   // Simplification knows of cells that keep their value; only what leads pointers rests on the values of others.
-  add("known conditions", told.conditions, [&](Node n) { return keeps.contains(n); });
-  add("effects of interrupt routines", told.effects, [&](Node n) { return keeps.contains(n); });
-  add("targets of pointers", told.pointers, [](Node) { return true; });
+  add("known conditions", told.conditions, false, [&](Node n) { return keeps.contains(n); });
+  add("effects of interrupt routines", told.effects, true, [&](Node n) { return keeps.contains(n); });
+  add("targets of pointers", told.pointers, true, [](Node) { return true; });
 }
 
 void ToldProof::addParts(CertificateWriter& writer) const {
@@ -72,9 +72,11 @@ void ToldProof::judge(const CheckLimits& limits) {
   const std::vector<CheckResult> results = writer.check(limits);  // two for each part
   result_ = CheckResult::Valid;
   reason_.clear();
+  isRefuted_ = false;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const bool isRefused = results[2 * i] == CheckResult::Invalid || results[2 * i + 1] == CheckResult::Invalid;
     if (!isRefused && results[2 * i] == CheckResult::Valid && results[2 * i + 1] == CheckResult::Valid) continue;
+    isRefuted_ = isRefuted_ || (isRefused && parts_[i].isRefutable);
     if (result_ == CheckResult::Valid || isRefused) result_ = isRefused ? CheckResult::Invalid : CheckResult::Unknown;
     reason_ += (reason_.empty() ? "" : ", ") + std::string(parts_[i].name);
   }

@@ -23,6 +23,9 @@ class ToldProof {
   CheckResult check(const CheckLimits& limits);
   /// What does not hold, or was not shown, after check().
   const std::string& reason() const { return reason_; }
+  /// Whether the check shows a mistake: a list of targets or of effects fails. What known conditions rest on is
+  /// followed through cells that keep their value alone; that they are not shown does not mean that they are wrong.
+  bool isRefuted() const { return isRefuted_; }
   /// Empty if nothing was told.
   std::string text() const;
 
@@ -30,6 +33,7 @@ class ToldProof {
   struct Part {
     const char* name;
     Node fact;
+    bool isRefutable;  ///< a failed check shows a mistake
     WordCertificate invariant{};
   };
   void judge(const CheckLimits& limits);
@@ -39,6 +43,7 @@ class ToldProof {
   std::vector<Part> parts_;
   std::optional<CheckResult> result_;
   std::string reason_;
+  bool isRefuted_ = false;
 };
 
 }  // namespace rungproof

@@ -235,7 +235,7 @@ class DrawingToStatements {
       case DrawnKind::Contact:
         return shared(i, [&] {
           ExprPtr flow = element.inputs.empty() ? word("TRUE", element.span) : flowInto(i);
-          ExprPtr value = edgeOf(i, parsed(element.text, element.span), element.edge);
+          ExprPtr value = edgeOf(i, seenBy(i), element.edge);
           if (element.negated) value = inverted(std::move(value));
           return both(std::move(flow), std::move(value));
         });

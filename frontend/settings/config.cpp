@@ -262,6 +262,31 @@ fs::path findConfig(const fs::path& folder) {
 namespace {
 
 constexpr int mostBases = 8;
+constexpr std::size_t mostKeyParts = 200;
+
+/// Line of a key with too many parts, 0 if there is none: tables inside each other are freed by recursion.
+std::size_t lineOfDeepKey(std::string_view text) {
+  std::size_t line = 1, points = 0;
+  char quote = '\0';
+  bool isComment = false;
+  for (const char c : text) {
+    if (c == '\n') {
+      ++line;
+      points = 0;
+      quote = '\0';
+      isComment = false;
+    } else if (isComment || (quote != '\0' && c != quote)) {
+      continue;
+    } else if (c == '"' || c == '\'') {
+      quote = quote == '\0' ? c : '\0';
+    } else if (c == '#') {
+      isComment = true;
+    } else if (c == '.' && ++points > mostKeyParts) {
+      return line;
+    }
+  }
+  return 0;
+}
 
 /// The configuration that this one builds on, if it names one.
 std::optional<Failure> readBase(const toml::table& root, const fs::path& file, const std::string& name,
@@ -276,6 +301,8 @@ std::optional<Failure> readLayer(const fs::path& file, Settings& settings, int d
     return Failure{"the configuration file cannot be read: " + *problem, name};
   const std::optional<std::string> text = bytesOfConfiguration(file.string());
   if (!text) return Failure{"the configuration file cannot be read", name};
+  if (const std::size_t line = lineOfDeepKey(*text); line > 0)
+    return Failure{fmt::format("a key has more than {} parts", mostKeyParts), fmt::format("{}:{}", name, line)};
   const toml::parse_result result = toml::parse(*text);
   if (!result) {
     const toml::parse_error& fault = result.error();

@@ -78,9 +78,12 @@ void expectRefused(const ProgramInput& input, const Planted& planted, const std:
   EXPECT_EQ(refuted + 1, all);
   const ProofRun run = provedAlong(input, planted, effects);
   ASSERT_EQ(run.results.size(), 1U);
-  EXPECT_EQ(run.results[0].outcome, Outcome::Unknown);
-  EXPECT_EQ(run.results[0].certificate, "");
-  EXPECT_NE(run.results[0].notes.back().find("fails for " + what), std::string::npos) << run.results[0].notes.back();
+  // What known conditions rest on is not followed far enough to call a failed check a mistake: it is said.
+  const bool isSaid = what == "known conditions";
+  EXPECT_EQ(run.results[0].outcome, isSaid ? Outcome::Proved : Outcome::Unknown);
+  EXPECT_EQ(run.results[0].certificate.empty(), !isSaid);
+  const std::string text = isSaid ? "not shown by the certificate: " : "fails for ";
+  EXPECT_NE(run.results[0].notes.back().find(text + what), std::string::npos) << run.results[0].notes.back();
 }
 
 void expectShown(const ProgramInput& input, const char* obligation) {

@@ -15,10 +15,10 @@ Output simOf(const std::string& blocks, const std::string& event) {
   const test::TemporaryFolder folder;
   folder.file("main.awl", blocks);
   folder.file("in.csv", "scan,event\n1,\n2,\n3," + event + "\n4,\n5,\n");
-  return run({"sim", folder.path("main.awl"), "--stimulus", folder.path("in.csv")});
+  return run({"sim", folder.path("main.awl"), "--dialect", "s7-400", "--stimulus", folder.path("in.csv")});
 }
 std::string countOf(const std::string& blocks, const std::string& event) {
-  return lastRow(blocks, "MW12", {}, "scan,event\n1,\n2,\n3," + event + "\n4,\n5,\n");
+  return lastRow(blocks, "MW12", {"--dialect", "s7-400"}, "scan,event\n1,\n2,\n3," + event + "\n4,\n5,\n");
 }
 
 // An error without its block stops the CPU (002:1278) in front of the third run of OB1; with its block, be it empty,
