@@ -1,5 +1,5 @@
 // Memory for machine code: written through one mapping and executed through another, so that no page is ever both
-// writable and executable. Tested by tests/compiled/code_pages_test.cpp.
+// writable and executable. Tested by tests/cli/input_limit_test.cpp.
 #pragma once
 
 #include <asmjit/core.h>

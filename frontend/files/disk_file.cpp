@@ -72,7 +72,7 @@ std::map<std::string, HeldText>& heldTexts() {
 /// One file has one key, whatever the spelling of its path.
 std::string heldKey(const std::string& name) {
   std::error_code error;
-  const fs::path place = fs::weakly_canonical(name, error);
+  const fs::path place = fs::weakly_canonical(fs::absolute(name), error);
   return error ? name : place.string();
 }
 
@@ -258,7 +258,7 @@ std::optional<std::string> confinedAgainst(const std::string& name) {
   const fs::path& home = confinement();
   if (home.empty()) return std::nullopt;
   std::error_code error;
-  const fs::path place = fs::weakly_canonical(name, error);
+  const fs::path place = fs::weakly_canonical(fs::absolute(name), error);
   const fs::path inside = place.lexically_relative(home);
   if (!error && !inside.empty() && *inside.begin() != "..") return std::nullopt;
   return fmt::format("it lies outside '{}', the folder that tools may read (--root)", home.string());
