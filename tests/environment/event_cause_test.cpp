@@ -111,7 +111,11 @@ TEST(EventCause, CountersStayAtZeroWithoutDefinition) {
   EXPECT_EQ(verdict("prove still: VD0 = 0", "LD SM0.1;HDEF 1,0;LD SM0.0;MOVD HC0,VD0", {}), Outcome::Proved);
   EXPECT_EQ(verdict("prove still: not once(I1.0) implies VD0 = 0", "LD I1.0;HDEF 0,0;LD SM0.0;MOVD HC0,VD0", {}),
             Outcome::Proved);
-  EXPECT_EQ(verdict("reach counts: VD0 = 5", "LD I1.0;HDEF 0,0;LD SM0.0;MOVD HC0,VD0", {}), Outcome::Reachable);
+  // Defined, but not started by HSC with bit 7 of SMB37 (001:4302).
+  EXPECT_EQ(verdict("reach counts: VD0 = 5", "LD I1.0;HDEF 0,0;LD SM0.0;MOVD HC0,VD0", {}), Outcome::Unreachable);
+  EXPECT_EQ(
+      verdict("reach counts: VD0 = 5", "LD SM0.1;MOVB 16#F8,SMB37;LD I1.0;HDEF 0,0;HSC 0;LD SM0.0;MOVD HC0,VD0", {}),
+      Outcome::Reachable);
 }
 
 TEST(EventCause, PulseOutputsTellOfTheEndOfATrain) {
