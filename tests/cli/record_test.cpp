@@ -47,6 +47,9 @@ std::string counting(const std::string& control) {
                    ", SMB47\nMOVD 0, SMD48\nHDEF 1, 0\nHSC 1\nNetwork 2\nLDD> HC1, 100\n= Q0.0\n");
 }
 
+const std::string divides =
+    "PROGRAM main\nVAR_INPUT\n  a : INT;\nEND_VAR\nVAR\n  q : BOOL;\nEND_VAR\nq := 10 / a > 2;\nEND_PROGRAM\n";
+
 std::vector<Record> records() {
   using test7::block;
   const std::string plain = mainBlock("Network 1\nLD I0.0\n= Q0.0\n"), follows = "prove p: Q0.0 implies I0.0\n";
@@ -109,6 +112,9 @@ std::vector<Record> records() {
       {"nothing is asked of a scan that a fatal error cuts off", "",
        mainBlock("Network 1\nLD I0.0\nSTOP\nNetwork 2\nLD SM0.0\n= Q0.0\n"), "prove p: Q0.0\n"},
       {"nothing is asked of a CPU that has stopped because it has no block", "", plain7, follows},
+      {"nothing is asked of a scan that an error cuts off, nor behind it", "", divides, "prove p: q implies a > 0\n"},
+      {"{} has any value in every scan", "a has any value in every scan", divides, "prove p: q implies a > 0\n"},
+      {"every variable starts with its initial value", "", divides, "prove p: q implies a > 0\n"},
       {"every scan lasts {} ms", "every scan lasts 20 ms", plain, follows, {"--scan-time", "20ms"}},
       {"every scan lasts {} to {} ms", "every scan lasts 5 to 20 ms", plain, follows, {"--scan-time", "5ms..20ms"}},
       {"retentive memory starts with any value", "", plain, "initial retentive\n" + follows},

@@ -169,12 +169,13 @@ TEST(SafeText, NoLineOfAReportIsACommandButTheReportersOwn) {
       for (std::string line; std::getline(lines, line);) {
         const std::size_t first = line.find_first_not_of(" \t");
         if (first == std::string::npos || line.compare(first, 2, "::") != 0) continue;
-        EXPECT_TRUE(form == std::string("github") && first == 0 && line.starts_with("::error file=")) << line;
+        const bool isOwn = line.starts_with("::error file=") || line.starts_with("::notice title=what this rests on::");
+        EXPECT_TRUE(form == std::string("github") && first == 0 && isOwn) << line;
       }
     }
   }
   const std::string commands = sentReport("github", reportOf("a\n::error::owned"));
-  EXPECT_EQ(std::count(commands.begin(), commands.end(), '\n'), 2) << commands << "one finding and one property";
+  EXPECT_EQ(std::count(commands.begin(), commands.end(), '\n'), 3) << commands << "a finding, a property, their basis";
 }
 
 TEST(SafeText, ConciseIsOneLineForEachResult) {
