@@ -8,6 +8,7 @@
 #include "frontend/iec/iec_drawing.hpp"
 #include "frontend/iec/iec_parser.hpp"
 #include "frontend/plcopen/plcopen_reader.hpp"
+#include "frontend/plcopen/plcopen_shapes.hpp"
 #include "frontend/stl/directive.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 #include "frontend/xml/xml_shape.hpp"
@@ -31,21 +32,7 @@ bool hasStructuredText(std::string_view text) {
 
 namespace {
 
-/// Lists of variables; what else stands there may change what they mean.
-constexpr std::string_view listAttributesOfIec =
-    "name globalId constant:b retain:b nonretain:b persistent:b nonpersistent:b";
-constexpr XmlShape shapesOfVariables[] = {
-    {"localVars", listAttributesOfIec, "variable documentation addData"},
-    {"tempVars", listAttributesOfIec, "variable documentation addData"},
-    {"inputVars", listAttributesOfIec, "variable documentation addData"},
-    {"outputVars", listAttributesOfIec, "variable documentation addData"},
-    {"inOutVars", listAttributesOfIec, "variable documentation addData"},
-    {"externalVars", listAttributesOfIec, "variable documentation addData"},
-    {"globalVars", listAttributesOfIec, "variable documentation addData"},
-    {"variable", "name globalId address group orderWithinParamSet", "type initialValue documentation addData"},
-    {"initialValue", "", "simpleValue arrayValue structValue"},
-    {"simpleValue", "value", ""},
-};
+constexpr auto shapesOfVariables = variableListShapes("simpleValue arrayValue structValue");
 
 class PlcopenText {
  public:

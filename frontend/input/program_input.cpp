@@ -86,8 +86,8 @@ void sayFamilyOfSimatic(const Context& context, const Settings& settings, const 
   for (std::uint32_t file = 0; file < program.sources->size(); ++file) {
     if (program.sources->file(file).text().find("<SW.Blocks.") == std::string_view::npos) continue;
     context.err << fmt::format(
-        "rungproof: {} is SimaticML, which names no family: read by IEC 61131-3 with the memory of a CPU {}; "
-        "--dialect s7-300 reads it for an S7-300 or S7-400\n",
+        "rungproof: {} is SimaticML, which names no family: it is read as for an S7-200, CPU {}; give --dialect s7-300 "
+        "for an S7-300 or S7-400\n",
         program.sources->file(file).name(), cpuName(program.target.cpu));
     return;
   }

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "frontend/graphical/iec_type.hpp"
+#include "frontend/plcopen/plcopen_shapes.hpp"
 #include "frontend/stl/directive.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 
@@ -29,21 +30,7 @@ void readComment(Span span, std::string_view text, std::vector<Comment>& lines, 
 
 namespace {
 
-/// Lists of variables. What stands in <type>, <documentation> and <addData> is read elsewhere or says nothing.
-constexpr std::string_view listAttributes =
-    "name globalId constant:b retain:b nonretain:b persistent:b nonpersistent:b";
-constexpr XmlShape variableShapes[] = {
-    {"localVars", listAttributes, "variable documentation addData"},
-    {"tempVars", listAttributes, "variable documentation addData"},
-    {"inputVars", listAttributes, "variable documentation addData"},
-    {"outputVars", listAttributes, "variable documentation addData"},
-    {"inOutVars", listAttributes, "variable documentation addData"},
-    {"externalVars", listAttributes, "variable documentation addData"},
-    {"globalVars", listAttributes, "variable documentation addData"},
-    {"variable", "name globalId address group orderWithinParamSet", "type initialValue documentation addData"},
-    {"initialValue", "", "simpleValue"},
-    {"simpleValue", "value", ""},
-};
+constexpr auto variableShapes = variableListShapes("simpleValue");
 
 class PlcopenReader {
  public:
