@@ -362,7 +362,7 @@ int runProgram(const std::vector<std::string>& arguments, const Streams& given) 
     const int exit = runArguments(arguments, streams);
     return streams.out.flush() ? exit : failed(streams.err, {"standard output cannot be written"});
   } catch (const std::exception& error) {
-    // Nothing of ours throws; what arrives here comes from a library and must not look like a result.
+    // A broken assertion (ir/check.hpp) or an error of a library must not look like a result.
     return failed(streams.err, {fmt::format("internal error: {}", error.what())});
   }
 }
