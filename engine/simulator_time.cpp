@@ -19,10 +19,9 @@ constexpr std::uint32_t unlistedTime = 100;  // instructions whose time the text
 constexpr std::uint32_t step7Time = 10;
 /// IEC 61131-3 states no times: as little as can be counted, so that only endless loops last.
 constexpr std::uint32_t iecTime = 1;
-/// No scan lasts longer, however often WDR or SFC 43 restarts the watchdog: 5 s on an S7-200 SMART. The manuals of the
-/// others state no limit; those of the S7-200 say that timers count wrong from 25 s on (001:5708), so a run ends there.
-constexpr std::uint64_t longestScanOfSmart = 5000;  // ms
-constexpr std::uint64_t longestScan = 25000;        // ms
+/// No scan of an S7-200 SMART lasts longer, however often WDR restarts the watchdog; for the others it is
+/// Choice::LongestScan.
+constexpr int longestScanOfSmart = 5000;  // ms
 
 }  // namespace
 
@@ -149,8 +148,8 @@ void Simulator::checkWatchdog() {
 
 bool Simulator::isInTime(std::uint64_t position) const {
   const bool isShort = !plan_.isStep7() && isSmart(plan_.program->target);
-  const std::uint64_t limit = (isShort ? longestScanOfSmart : longestScan) * Cost::perMs;
-  return position - watchdogFrom_ <= watchdogTime() && position <= limit;
+  const int limit = isShort ? longestScanOfSmart : options_.choices.longestScanMs();
+  return position - watchdogFrom_ <= watchdogTime() && position <= static_cast<std::uint64_t>(limit) * Cost::perMs;
 }
 
 /// 10 ns.

@@ -58,6 +58,8 @@ enum class Choice : std::uint8_t {
   OpenBlockPointer,
   ParameterPointer,
   HotRestart,
+  LongestScan,
+  UnwrittenOutput,
   IecDivZero,
   IecModZero,
   IecArrayRange,
@@ -320,6 +322,19 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      "so that nothing is proved beside OB101 unless it is excluded",
      "002:1389",
      ChoiceKind::Fact},
+    {Choice::LongestScan,
+     "longest-scan",
+     {"25s", "5s", "60s"},
+     "S7-200, S7-300/400: when a scan that restarts its watchdog for ever (WDR, SFC 43) ends in the engine; no manual "
+     "states a limit, timers of the S7-200 count wrong from 25 s on; an S7-200 SMART ends at 5 s",
+     "001:5708",
+     ChoiceKind::Fact},
+    {Choice::UnwrittenOutput,
+     "unwritten-output",
+     {"kept", "any", ""},
+     "S7-300/400: what an output of an FC that the block does not write hands out: the actual keeps its value, as it "
+     "is given by reference, or gets any, as it does where the call copies it",
+     "002:154"},
     {Choice::IecDivZero,
      "iec-div-zero",
      {"fault", "zero", ""},
@@ -420,6 +435,10 @@ struct Choices {
   /// Whether proofs take one value of it: the user's, or that of a fact.
   bool isFixed(Choice choice) const { return isChosen(choice) || choiceInfo(choice).kind == ChoiceKind::Fact; }
   std::string_view valueName(Choice choice) const { return choiceInfo(choice).values[(*this)[choice]]; }
+  int longestScanMs() const {
+    static constexpr std::array<int, 3> limits = {25'000, 5'000, 60'000};
+    return limits[(*this)[Choice::LongestScan]];
+  }
   int watchdogMs() const { return (*this)[Choice::WatchdogMs] == 0 ? 500 : 300; }
 };
 

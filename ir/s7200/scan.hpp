@@ -145,6 +145,7 @@ class Scan : private FlowWalk<Scan<D, Hooks>, Machine<D>, Hooks> {
   void distribute(Walk& w, std::uint32_t at);
   void step7Call(const Instruction& instruction);
   void enterBlock(const Flow& callee, const Instruction& instruction);
+  void forgetOutput(const LocalVariable& formal, const Operand& actual, std::uint32_t number);
   std::vector<std::pair<std::uint32_t, HandedPointer<D>>> pointersOf(const Instruction& call, const Pou& callee,
                                                                      std::size_t firstActual);
   void systemBlock(const Instruction& call);

@@ -306,6 +306,25 @@ inline bool isCopied(const LocalVariable& parameter) {
          !isPointerType(parameter.type);
 }
 
+/// An output of an FC that the block does not write keeps its value or gets any (Choice::UnwrittenOutput).
+template <class D, class Hooks>
+void Scan<D, Hooks>::forgetOutput(const LocalVariable& formal, const Operand& actual, std::uint32_t number) {
+  constexpr std::uint32_t firstIndex = 0x400;  // beside what instructions leave open
+  const bool isPlace = actual.kind == OperandKind::Direct || actual.kind == OperandKind::Indirect;
+  if (formal.section != VarSection::Output || formal.size > 4 || takesPointer(formal) || !isPlace) return;
+  const Width width = formal.size == 0   ? Width::Bit
+                      : formal.size == 1 ? Width::Byte
+                      : formal.size == 2 ? Width::Word
+                                         : Width::DWord;
+  m_.when(m_.reads({Choice::UnwrittenOutput, "any"}), [&] {
+    Step7Places<D> places(m_);
+    const Bits db = m_.step7.db;
+    const Spot<D> spot = places.find(actual, width);
+    places.save(spot, width, m_.external(External::UnknownResult, firstIndex + number, bits(width)));
+    m_.step7.db = db;
+  });
+}
+
 template <class D, class Hooks>
 void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instruction) {
   Step7Registers<D>& s = m_.step7;
@@ -351,6 +370,11 @@ void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instructi
     }
   };
 
+  if (!hasInstance(pou) && !pou.isBuiltIn) {
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      if (given(i) != nullptr) forgetOutput(*parameters[i], *given(i), static_cast<std::uint32_t>(i));
+    }
+  }
   const std::vector<std::pair<std::uint32_t, HandedPointer<D>>> pointers = pointersOf(instruction, pou, first);
   std::vector<Bits> values;
   Bits instanceBlock = s.di, instancePointer = s.ar[1];
