@@ -586,7 +586,7 @@ ProofRun prove(const Program& program, const PropertySet& set, const ProverOptio
                const ProofProgress& progress) {
   ProverOptions options = given;
   options.choices = choicesFor(program.target, given.choices);
-  if (CallContracts(program).empty()) return proveAll(program, set, options, progress);
+  if (!assumesOfCalls(program)) return proveAll(program, set, options, progress);
   const Facts facts(program, set.externals);
   PropertySet open = set;
   std::ranges::move(externalsOfCalls(facts), std::back_inserter(open.externals));

@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+#include "analysis/flow/block_actuals.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -103,6 +105,8 @@ std::vector<ExternalRange> externalsOfCalls(const Facts& facts) {
   return ranges;
 }
 
+bool assumesOfCalls(const Program& program) { return !CallContracts(program).empty() || givesBlockActuals(program); }
+
 std::vector<std::string> assumptionsOfCalls(const Facts& facts) {
   std::vector<std::string> texts;
   const auto say = [&](std::string text) {
@@ -125,6 +129,7 @@ std::vector<std::string> assumptionsOfCalls(const Facts& facts) {
                       contract.name));
     }
   }
+  std::ranges::for_each(assumptionsOfActuals(facts), say);
   return texts;
 }
 

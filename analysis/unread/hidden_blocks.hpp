@@ -28,6 +28,8 @@ std::vector<bool> blocksThatMayRun(const Facts& facts);
 bool mayBeCalled(const Facts& facts, std::uint32_t instruction);
 /// Bytes of V memory, and of SM, that called blocks write at any time.
 std::vector<ExternalRange> externalsOfCalls(const Facts& facts);
+/// Whether calls may rest on something that is assumed: of blocks without text, of actuals that may be copied.
+bool assumesOfCalls(const Program& program);
 /// What is assumed of the blocks that are called, one line each.
 std::vector<std::string> assumptionsOfCalls(const Facts& facts);
 
