@@ -7,6 +7,7 @@
 
 #include "analysis/encoding/exact_reals.hpp"
 #include "analysis/graph/evaluate.hpp"
+#include "analysis/portfolio/portfolio.hpp"
 
 namespace rungproof {
 
@@ -59,33 +60,77 @@ ToldProof::ToldProof(const TransitionSystem& system, const ToldFacts& told, cons
   add("targets of pointers", told.pointers, true, [](Node) { return true; });
 }
 
+Question ToldProof::questionOf(const Part& part) const {
+  return {std::string("what the encoding was told, ") + part.name, system_.graph->lnot({part.fact}).node};
+}
+
 void ToldProof::addParts(CertificateWriter& writer) const {
   for (const Part& part : parts_) {
-    writer.addInvariant(std::string("what the encoding was told, ") + part.name, part.invariant);
+    if (part.found) {
+      writer.add(questionOf(part), *part.found);
+      continue;
+    }
+    writer.addInvariant(questionOf(part).name, part.invariant);
     writer.addConsequence(part.name, part.invariant, part.fact);
+  }
+}
+
+/// Parts whose own invariants are not enough are questions to the engines like any other.
+void ToldProof::search(const CheckLimits& limits) {
+  TransitionSystem asked = system_;
+  asked.questions.clear();
+  std::vector<Part*> open;
+  for (Part& part : parts_) {
+    if (part.isShown || part.found || part.isFalse) continue;
+    open.push_back(&part);
+    asked.questions.push_back(questionOf(part));
+  }
+  if (open.empty()) return;
+  PortfolioOptions options;
+  options.seconds = std::min(limits.each, limits.total);
+  options.deadline = Budget::Clock::now() +
+                     std::chrono::duration_cast<Budget::Clock::duration>(std::chrono::duration<double>(limits.total));
+  options.memory = limits.memory;
+  options.cancel = limits.cancel;
+  options.check = false;
+  const std::vector<QuestionAnswer> answers = answerQuestions(asked, options);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    open[i]->isFalse = answers[i].answer == Answer::Violated;
+    if (answers[i].answer != Answer::Proved || !answers[i].certificate) continue;
+    open[i]->found = answers[i].certificate;
   }
 }
 
 void ToldProof::judge(const CheckLimits& limits) {
   CertificateWriter writer(system_);
   addParts(writer);
-  const std::vector<CheckResult> results = writer.check(limits);  // two for each part
+  const std::vector<CheckResult> results = writer.check(limits);
   result_ = CheckResult::Valid;
   reason_.clear();
   isRefuted_ = false;
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
-    const bool isRefused = results[2 * i] == CheckResult::Invalid || results[2 * i + 1] == CheckResult::Invalid;
-    if (!isRefused && results[2 * i] == CheckResult::Valid && results[2 * i + 1] == CheckResult::Valid) continue;
-    isRefuted_ = isRefuted_ || (isRefused && parts_[i].isRefutable);
+  std::size_t next = 0;
+  for (Part& part : parts_) {
+    const CheckResult first = results[next++], second = part.found ? first : results[next++];
+    part.isShown = first == CheckResult::Valid && second == CheckResult::Valid;
+    if (part.isShown) continue;
+    const bool isRefused = first == CheckResult::Invalid || second == CheckResult::Invalid;
+    isRefuted_ = isRefuted_ || part.isFalse || (isRefused && part.isRefutable);
     if (result_ == CheckResult::Valid || isRefused) result_ = isRefused ? CheckResult::Invalid : CheckResult::Unknown;
-    reason_ += (reason_.empty() ? "" : ", ") + std::string(parts_[i].name);
+    reason_ += (reason_.empty() ? "" : ", ") + std::string(part.name);
   }
 }
 
 CheckResult ToldProof::check(const CheckLimits& limits) {
   if (result_) return *result_;
-  judge(limits);
-  if (result_ == CheckResult::Valid) return *result_;
+  const auto judgeAndSearch = [&] {
+    judge(limits);
+    if (result_ != CheckResult::Valid && !isRefuted_) {
+      search(limits);
+      judge(limits);
+    }
+    return *result_;
+  };
+  if (judgeAndSearch() == CheckResult::Valid) return *result_;
   // What simplification knew of REAL operations is shown by writing them out.
   const Graph& graph = *system_.graph;
   std::vector<Node> roots;
@@ -96,9 +141,12 @@ CheckResult ToldProof::check(const CheckLimits& limits) {
   system_.questions.clear();
   for (const Part& part : parts_) system_.questions.push_back({part.name, part.fact});
   system_ = withExactReals(system_, RealScope::All);
-  for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i].fact = system_.questions[i].bad;
-  judge(limits);
-  return *result_;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    parts_[i].fact = system_.questions[i].bad;
+    parts_[i].found.reset();
+    parts_[i].isFalse = false;
+  }
+  return judgeAndSearch();
 }
 
 std::string ToldProof::text() const {

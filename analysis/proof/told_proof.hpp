@@ -1,7 +1,8 @@
 // ToldProof: that what an encoding along a trail was told (analysis/encoding/told_facts.hpp) holds in every scan of the
 // system: known conditions, effects of interrupt routines, targets of pointers, each with the invariant that it rests
-// on: cells that keep their value; for pointers also which values other cells have. Whatever else is proved of the
-// system rests on it, so its text stands in front of every certificate. Tested by tests/certificate.
+// on: cells that keep their value; for pointers also which values other cells have. Where that is not enough the
+// engines look for a proof. Whatever else is proved of the system rests on it, so its text stands in front of every
+// certificate. Tested by tests/certificate.
 #pragma once
 
 #include <optional>
@@ -23,8 +24,7 @@ class ToldProof {
   CheckResult check(const CheckLimits& limits);
   /// What does not hold, or was not shown, after check().
   const std::string& reason() const { return reason_; }
-  /// Whether the check shows a mistake: a list of targets or of effects fails. What known conditions rest on is
-  /// followed through cells that keep their value alone; that they are not shown does not mean that they are wrong.
+  /// Whether the check shows a mistake: a list of targets or of effects fails, or a run breaks a known condition.
   bool isRefuted() const { return isRefuted_; }
   /// Empty if nothing was told.
   std::string text() const;
@@ -35,7 +35,12 @@ class ToldProof {
     Node fact;
     bool isRefutable;  ///< a failed check shows a mistake
     WordCertificate invariant{};
+    std::optional<WordCertificate> found{};  ///< by the engines, where the invariant is not enough
+    bool isShown = false;
+    bool isFalse = false;  ///< the engines have a run that breaks it
   };
+  Question questionOf(const Part& part) const;
+  void search(const CheckLimits& limits);
   void judge(const CheckLimits& limits);
   void addParts(CertificateWriter& writer) const;
 
