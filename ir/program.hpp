@@ -22,6 +22,9 @@ struct Drawing;  // ladder or FBD, drawing.hpp
 namespace s7300 {
 struct Declarations;  // names of data, ir/s7300/declarations.hpp
 }
+namespace iec {
+struct ProjectSyntax;  // the syntax tree, ir/iec/syntax.hpp
+}
 
 /// How a value of an IEC 61131-3 program is meant.
 enum class ValueType : std::uint8_t { Signed, Unsigned, Real };
@@ -154,9 +157,10 @@ struct Program {
   std::uint16_t cycleMonitoringMs = 150;          ///< S7-300/400: a scan that lasts longer is a time error (002:1296)
   std::map<std::uint32_t, ValueType> valueTypes;  ///< IEC 61131-3: of the variables, by their first byte in V
   std::vector<std::pair<std::uint32_t, std::uint32_t>> retained;  ///< IEC 61131-3: first and last byte of RETAIN data
-  std::optional<std::uint32_t> taskMs;            ///< IEC 61131-3: interval of the task
-  std::vector<Finding> findings;                  ///< of the readers
-  bool olderDialect = false;                      ///< one-text dialect of the S7-212/214 time (MEND, SBR n)
+  std::optional<std::uint32_t> taskMs;                            ///< IEC 61131-3: interval of the task
+  std::shared_ptr<const iec::ProjectSyntax> syntax;  ///< IEC 61131-3: what the program was made of; nullptr elsewhere
+  std::vector<Finding> findings;                     ///< of the readers
+  bool olderDialect = false;                         ///< one-text dialect of the S7-212/214 time (MEND, SBR n)
 
   /// Numbers all instructions in program order; call after the last block was added.
   void number();

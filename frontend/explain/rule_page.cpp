@@ -68,8 +68,7 @@ std::string rulePage(const Rule& rule, const Paint& paint) {
   }
   if (!rule.bad.empty()) {
     text += fmt::format(
-        "\n  {}\n",
-        paint.bold(rule.exampleCpu == "226" ? "Reported" : fmt::format("Reported on a CPU {}", rule.exampleCpu)));
+        "\n  {}\n", paint.bold(rule.namesCpu() ? fmt::format("Reported on a CPU {}", rule.exampleCpu) : "Reported"));
     appendProgram(text, rule.bad);
   }
   if (!rule.good.empty()) {

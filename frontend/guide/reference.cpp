@@ -78,7 +78,7 @@ std::string ruleHtml(const Rule& rule) {
   for (const TextRow& row : rows)
     html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", xmlText(row.left), xmlText(row.right));
   html += "</dl>\n";
-  const std::string where = rule.exampleCpu == "226" ? "" : fmt::format(" (CPU {})", rule.exampleCpu);
+  const std::string where = rule.namesCpu() ? fmt::format(" (CPU {})", rule.exampleCpu) : "";
   return html + preformatted("Symbol table of the examples", rule.exampleSymbols) +
          preformatted("Reported" + where, rule.bad) + preformatted("Not reported" + where, rule.good);
 }

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "frontend/graphical/drawn_model.hpp"
-#include "frontend/iec/iec_syntax.hpp"
+#include "ir/iec/syntax.hpp"
 #include "frontend/stl/syntax_sink.hpp"
 
 namespace rungproof::iec {

@@ -9,12 +9,6 @@
 
 namespace rungproof::iec {
 
-std::string foldedName(std::string_view name) {
-  std::string folded(name);
-  for (char& c : folded) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return folded;
-}
-
 Span SourceText::span(std::uint32_t begin, std::uint32_t end) const {
   if (places == nullptr) return {file, offset + begin, end - begin};
   const auto at = [&](std::uint32_t i) {

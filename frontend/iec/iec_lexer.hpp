@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "frontend/iec/iec_syntax.hpp"
+#include "ir/iec/syntax.hpp"
 #include "frontend/stl/syntax_sink.hpp"
 
 namespace rungproof::iec {

@@ -373,6 +373,7 @@ void buildIecProgram(Program& program, ProjectSyntax& project) {
   const std::uint32_t file = project.blocks.empty() ? 0 : project.blocks[0].span.file;
   addStandardBlocks(program, project);
   Lowering(program, project, file).run();
+  program.syntax = std::make_shared<const ProjectSyntax>(std::move(project));
 }
 
 }  // namespace rungproof::iec

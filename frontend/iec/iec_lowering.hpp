@@ -209,7 +209,7 @@ class Lowering {
 
 /// Whether the standard has a function of that name, in capitals.
 bool isStandardFunction(const std::string& folded);
-/// Makes the program of everything that the files hold.
+/// Makes the program of everything that the files hold; the tree becomes Program::syntax.
 void buildIecProgram(Program& program, ProjectSyntax& project);
 /// Appends the blocks of the standard that the project does not have itself.
 void addStandardBlocks(Program& program, ProjectSyntax& project);

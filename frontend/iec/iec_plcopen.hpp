@@ -3,7 +3,7 @@
 #pragma once
 
 #include "frontend/files/file_reader.hpp"
-#include "frontend/iec/iec_syntax.hpp"
+#include "ir/iec/syntax.hpp"
 
 namespace rungproof::iec {
 

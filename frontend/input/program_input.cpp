@@ -11,7 +11,7 @@
 #include "analysis/drawing/editor_verdict.hpp"
 #include "analysis/rule.hpp"
 #include "frontend/files/file_reader.hpp"
-#include "frontend/iec/iec_syntax.hpp"
+#include "ir/iec/syntax.hpp"
 #include "frontend/input/tag_list.hpp"
 #include "frontend/property/external_range.hpp"
 #include "frontend/step7/name_lookup.hpp"

@@ -1,6 +1,6 @@
 // The syntax tree of IEC 61131-3 texts: types, blocks with their declarations, statements, expressions, configurations.
-// The readers of text and of PLCopen XML make it; the lowering gives it a meaning. Names keep their spelling and are
-// compared without regard to case (foldedName).
+// The readers of text and of PLCopen XML make it; the lowering gives it a meaning, and rules about what the text says
+// read it. Names keep their spelling and are compared without regard to case (foldedName).
 // Tested by tests/iec.
 #pragma once
 
