@@ -91,9 +91,10 @@ void Simulator::scanInRun(const ScanRequest& request, std::uint32_t lengthUs) {
   ++moment_;
   script_ = request.script;
   position_ = watchdogFrom_ = pending_ = 0;
+  loop_.begin();
   hasTimeError_ = false;
   startMs_ = clockMs_;
-  nextMs_ = script_ == nullptr ? Cost::perMs - sinceTick_ : isScriptQuiet() ? watchdogTime() + 1 : 0;
+  nextMs_ = script_ == nullptr ? Cost::perMs - sinceTick_ : isScriptQuiet() ? quietTime() : 0;
   scanTicks_ = scriptedTicks_ = 0;
   showInputsToModules();
   isCalm_ = staysCalm(request, lengthUs);
@@ -211,6 +212,7 @@ std::uint64_t Simulator::unknown(int width) {
 
 std::uint64_t Simulator::external(const ExternalSite& site, int width) {
   const std::uint64_t value = externalValue(site, width);
+  loop_.disturb();
   if (observer_ != nullptr) observer_->external(site, value);
   return value;
 }

@@ -21,6 +21,7 @@
 #include "engine/concrete.hpp"
 #include "engine/devices.hpp"
 #include "engine/dispatch_concrete.hpp"
+#include "engine/endless_loop.hpp"
 #include "engine/force.hpp"
 #include "engine/instruction_observer.hpp"
 #include "engine/interrupt_queue.hpp"
@@ -211,8 +212,10 @@ class Simulator final : private Outside {
   void forgetEdges();
   void serveEvent(Runner& runner, int event);
   void checkWatchdog();
+  void watchLoops(const FlowStep& step);
   bool isInTime(std::uint64_t position) const;
   std::uint64_t watchdogTime() const;
+  std::uint64_t quietTime() const;
   void setClock();
   void passMillisecond(Runner& runner);
   bool mayServe() const;
@@ -251,7 +254,8 @@ class Simulator final : private Outside {
   std::uint64_t watchdogFrom_ = 0;
   bool hasTimeError_ = false;  ///< OB80 was called in this scan for its length
   std::uint32_t pending_ = 0;  ///< time of the instruction that is running
-  bool attention_ = false;     ///< events wait in the queue, or an observer looks
+  bool attention_ = false;     ///< events wait in the queue, an observer looks, or loops are watched
+  EndlessLoop loop_;
   InstructionObserver* observer_ = nullptr;
   const Instruction* stoppedBy_ = nullptr;
   const std::string* calledBlock_ = nullptr;  ///< library block whose outputs are being asked for

@@ -57,6 +57,7 @@ std::optional<std::uint64_t> Simulator::quietTime(std::uint32_t lengthUs, std::u
 
 void Simulator::boundary(Runner& runner, const FlowStep* step) {
   if (!machine_.guard) return;
+  if (plan_.isIec() && step != nullptr) watchLoops(*step);
   if (script_ != nullptr) {
     checkWatchdog();
     const std::uint32_t id = step == nullptr ? ScanPlace::afterProgram : step->instruction->id;
@@ -67,9 +68,18 @@ void Simulator::boundary(Runner& runner, const FlowStep* step) {
       passMillisecond(runner);
     }
     serveInterrupts(runner);
-    attention_ = !queue_.empty() || observer_ != nullptr;
+    attention_ = !queue_.empty() || observer_ != nullptr || (plan_.isIec() && position_ >= Cost::perMs);
   }
   if (observer_ != nullptr && step != nullptr && machine_.guard) observer_->before(machine_, *step->instruction);
+}
+
+/// In a scan that lasts long already, in front of every instruction.
+void Simulator::watchLoops(const FlowStep& step) {
+  if (position_ < Cost::perMs) return;
+  if (script_ != nullptr) nextMs_ = 0;
+  if (step.instruction->desc->control != Control::LabelMark) return;
+  if (loop_.returns(step.instruction->id, store_.area(Area::V)))
+    machine_.hazard(watchdogHazard(plan_.isStep7(), plan_.isIec()), true);
 }
 
 /// Writes that no running request allows are passed over, as are events that are not attached.
@@ -157,6 +167,9 @@ std::uint64_t Simulator::watchdogTime() const {
   const int limit = plan_.isStep7() ? plan_.program->cycleMonitoringMs : options_.choices.watchdogMs();
   return static_cast<std::uint64_t>(limit) * Cost::perMs;
 }
+
+/// 10 ns; how long a script that names no place in the scan is not looked at.
+std::uint64_t Simulator::quietTime() const { return plan_.isIec() ? Cost::perMs : watchdogTime() + 1; }
 
 /// Whether up to there the ticks of the 1 ms clock let timers count and do nothing else.
 bool Simulator::isQuietUntil(std::uint64_t position) const {

@@ -1,0 +1,134 @@
+// EN and ENO of functions and instances, __TRY and __CATCH, loops without an end, and what files in the field have
+// beside the standard. Values from section 4 of the standard's text on calls and from what the statements say.
+#include "tests/iec/iec_output.hpp"
+#include "tests/iec/iec_run.hpp"
+
+namespace rungproof {
+namespace {
+
+// ENO tells that the function was executed; of a division by 0 it tells the error.
+TEST(IecEnable, FunctionsTellThatTheyHaveRun) {
+  const std::string text = iecProgram(
+      "VAR_INPUT a, b : DINT; END_VAR VAR m, d : BOOL; n : DINT; END_VAR VAR_OUTPUT q : BOOL; END_VAR",
+      "q := GE(EN := TRUE, IN1 := a, IN2 := b, ENO => m);\nn := DIV(EN := TRUE, IN1 := a, IN2 := b, ENO => d);");
+  IecRun run(text);
+  EXPECT_EQ(run.follow("q", {{"a", {5, 4}}, {"b", {5, 5}}}), (Row{1, 0}));
+  EXPECT_EQ(run.get("m"), 1);
+  EXPECT_EQ(run.get("d"), 1);
+  const IecOutput output =
+      proofOfIec("//@ prove p: d implies b <> 0\n//@ prove m: m\n" + text, {"--choice", "iec-div-zero=zero"});
+  EXPECT_TRUE(output.has("PROVED  p") && output.has("PROVED  m")) << output.text;
+}
+
+// EN that may be FALSE, and outputs that a function does not have, are refused: nothing is dropped.
+TEST(IecEnable, WhatIsNotModelledIsRefused) {
+  const auto refused = [](const std::string& call, const std::string& message) {
+    const IecOutput output = proofOfIec(
+        "//@ prove p: never q\n" + iecProgram("VAR_INPUT a : BOOL; n : INT; END_VAR VAR m : INT; x : REAL; e : BOOL; "
+                                              "END_VAR VAR_OUTPUT q : BOOL; END_VAR",
+                                              call + "\nq := m > 3;"));
+    EXPECT_TRUE(output.has(message) && !output.has("PROVED")) << output.text;
+  };
+  refused("m := ADD(EN := a, IN1 := n, IN2 := 1);", "EN of a function that is not always TRUE");
+  refused("m := ADD(IN1 := n, IN2 := 1, OUT => m);", "no output OUT");
+  refused("x := SQRT(IN := x, ENO => e);\nm := REAL_TO_INT(x);", "ENO of SQRT is not modelled");
+}
+
+// The spec's micro program 22: outputs are kept while EN is FALSE. ENO is read as a part of the instance.
+TEST(IecEnable, InstancesHaveTheirEno) {
+  const std::string text = "FUNCTION_BLOCK Add3\nVAR_OUTPUT y : INT; END_VAR\ny := y + 3;\nEND_FUNCTION_BLOCK\n" +
+                           iecProgram("VAR_INPUT e : BOOL; END_VAR VAR f : Add3; END_VAR VAR_OUTPUT q : BOOL; END_VAR",
+                                      "f(EN := e);\nq := f.ENO;");
+  IecRun run(text);
+  EXPECT_EQ(run.follow("q", {{"e", {0, 1, 1, 0}}}), (Row{0, 1, 1, 0}));
+  EXPECT_EQ(run.get("f.y"), 6);
+}
+
+std::string tries(const std::string& tried, const std::string& caught, const std::string& rest = "") {
+  return iecProgram(
+      "VAR_INPUT a, b : DINT; END_VAR VAR exc : __SYSTEM.ExceptionCode; n, m, z : DINT; END_VAR "
+      "VAR_OUTPUT q : BOOL; END_VAR",
+      "__TRY\n" + tried + "\n__CATCH(exc)\n" + caught + "\n" + rest + "__ENDTRY\nz := z + 1;");
+}
+
+// What stands behind the fault in the tried part does not run; without a fault the caught part does not.
+TEST(IecTry, FaultsGoToCatch) {
+  IecRun run(tries("m := 1; n := a / b; m := 2;", "q := TRUE; n := -1;"));
+  EXPECT_EQ(run.follow("n", {{"a", {8, 8, 9}}, {"b", {2, 0, 3}}}), (Row{4, -1, 3}));
+  EXPECT_EQ(run.follow("m", {{"a", {8}}, {"b", {0}}}), (Row{1}));
+  EXPECT_EQ(run.get("q"), 1);
+  EXPECT_EQ(run.get("z"), 4);
+}
+
+TEST(IecTry, FinallyRunsInAnyCase) {
+  IecRun run(tries("n := a MOD b;", "n := -1;", "__FINALLY\nm := m + 1;\n"), 10);
+  run.simulator = Simulator(run.program, [] {
+    SimulatorOptions options;
+    options.choices.set("iec-mod-zero", "fault");
+    return options;
+  }());
+  EXPECT_EQ(run.follow("n", {{"a", {8, 8}}, {"b", {3, 0}}}), (Row{2, -1}));
+  EXPECT_EQ(run.get("m"), 2);
+}
+
+// Both readings of a division by 0: a fault that is caught, or the result 0.
+TEST(IecTry, ProofsCoverBothReadings) {
+  const std::string text = "//@ prove p: n <> 7\n//@ prove c: b = 0 implies n = 7\n" + tries("n := a / b;", "n := 7;");
+  const IecOutput open = proofOfIec(text, {"--builtin"});
+  EXPECT_TRUE(open.has("VIOLATED  p") && open.has("VIOLATED  c") && open.has("iec-div-zero = zero")) << open.text;
+  EXPECT_FALSE(open.has("error[IEC001]")) << open.text;  // no division by 0 ends the scan
+  const IecOutput faults = proofOfIec(text, {"--choice", "iec-div-zero=fault"});
+  EXPECT_TRUE(faults.has("PROVED  c")) << faults.text;
+}
+
+TEST(IecTry, WhatMayFaultOtherwiseIsRefused) {
+  for (const char* tried : {"WHILE a / b > n DO n := n + 1; END_WHILE;", "IF b > 0 AND a / b > 1 THEN n := 1; END_IF;",
+                            "IF a > 0 THEN n := 1; ELSIF a / b > 2 THEN n := 2; END_IF;"}) {
+    const IecOutput output = proofOfIec("//@ prove p: n < 3\n" + tries(tried, "n := 0;"));
+    EXPECT_TRUE(output.has("NOT COVERED  p") && output.has("SYN059")) << output.text;
+  }
+}
+
+// i stays 0: the loop comes back to the state that it had. The fault that leads there needs a product of 32 bits.
+TEST(IecEndless, LoopWithoutAnEndIsShown) {
+  const IecOutput output = proofOfIec(
+      iecProgram("VAR_INPUT a, b : DINT; END_VAR VAR i : DINT; END_VAR VAR_OUTPUT q : BOOL; END_VAR",
+                 "q := a > b;\nIF a = 4711 THEN\n  i := a - 4711;\n  WHILE i < 1 DO\n    q := FALSE;\n    i := i * i;\n"
+                 "  END_WHILE;\nEND_IF;"),
+      {"--builtin"});
+  EXPECT_TRUE(output.has("VIOLATED") && output.has("the scan does not end")) << output.text;
+}
+
+// 20,000 rounds end, however long they take.
+TEST(IecEndless, LongLoopsEnd) {
+  IecRun run(iecProgram("VAR i, n : DINT; END_VAR", "i := 0;\nWHILE i < 20000 DO i := i + 1; END_WHILE;\nn := n + 1;"));
+  run.scan();
+  EXPECT_EQ(run.get("n"), 1);
+  EXPECT_TRUE(run.simulator.isRunning());
+}
+
+// Nothing that can go wrong at run time: that is an answer, not "nothing was checked".
+TEST(IecEndless, NothingToGoWrongIsProved) {
+  const IecOutput output =
+      proofOfIec(iecProgram("VAR_INPUT a : BOOL; END_VAR VAR_OUTPUT q : BOOL; END_VAR", "q := a;"), {"--builtin"});
+  EXPECT_EQ(output.exit, 0) << output.text;
+  EXPECT_TRUE(output.has("PROVED  no error at run time can happen")) << output.text;
+}
+
+// What an editor appends for its debugger is C: *) stands in it.
+TEST(IecText, DebuggerLinesAreComments) {
+  const IecOutput output = proofOfIec(
+      "//@ prove p: q = a\n" + iecProgram("VAR_INPUT a : BOOL; END_VAR VAR_OUTPUT q : BOOL; END_VAR", "q := a;") +
+      "(*DBG:  return (void *)&((t *) ptr)->value;*)\n(*DBG:}*)\n");
+  EXPECT_TRUE(output.has("PROVED  p")) << output.text;
+}
+
+// ': =' is no assignment for a compiler, and its writer means one.
+TEST(IecText, BlankInAnAssignmentIsAWarning) {
+  const IecOutput output = proofOfIec(
+      "//@ prove p: q = a\n" + iecProgram("VAR_INPUT a : BOOL; END_VAR VAR_OUTPUT q : BOOL; END_VAR", "q : = a;"));
+  EXPECT_TRUE(output.has("warning[SYN062]") && output.has("PROVED  p")) << output.text;
+}
+
+}  // namespace
+}  // namespace rungproof
