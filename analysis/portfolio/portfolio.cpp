@@ -12,6 +12,7 @@
 #include "analysis/portfolio/merging.hpp"
 #include "analysis/portfolio/stages.hpp"
 #include "analysis/portfolio/word_caps.hpp"
+#include "analysis/portfolio/word_runs.hpp"
 #include "analysis/schedule/schedule.hpp"
 #include "ir/check.hpp"
 
@@ -35,7 +36,7 @@ class Answers {
   void find(const Questions& questions) {
     const Budget budget = options_.budget();
     Questions open;
-    for (const std::size_t q : questions) {
+    for (const std::size_t q : withoutWordRuns(questions, budget)) {
       if (!settleLocally(q, budget) && !searchFirstScan(q) && !searchUnabsorbed(q)) open.push_back(q);
     }
     if (!open.empty() && options_.effort != Effort::Surface) {
@@ -50,6 +51,30 @@ class Answers {
       }
     }
   }
+  /// Those for which no run on numbers is found.
+  Questions withoutWordRuns(const Questions& questions, const Budget& budget) {
+    if (options_.effort == Effort::Surface || options_.bound > 0 || !options_.techniques.has(Technique::Simulation))
+      return questions;
+    TechniqueTurn turn(options_.log, Technique::Simulation, questions.size());
+    const auto begin = Budget::Clock::now();
+    std::vector<std::optional<WordTrace>> runs = wordRuns(system_, questions, options_.seed, budget);
+    Questions open;
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+      if (!runs[i]) {
+        open.push_back(questions[i]);
+        continue;
+      }
+      QuestionAnswer& answer = answers_[questions[i]];
+      answer.answer = Answer::Violated;
+      answer.method = "simulation";
+      answer.depth = static_cast<int>(runs[i]->inputs.size()) - 1;
+      answer.trace = std::move(runs[i]);
+      answer.seconds = std::chrono::duration<double>(Budget::Clock::now() - begin).count();
+      turn.settled();
+    }
+    return open;
+  }
+
   /// The search in another system that stands for this one as far as the question is concerned.
   template <class System>
   void searchIn(const System& other, Technique technique, std::size_t q) {

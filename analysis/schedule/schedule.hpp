@@ -189,6 +189,11 @@
   ROW(int, longestEpisode, 1 << 16, "scans", "of a random run") \
   ROW(std::size_t, episodeWords, 16U << 20U, "words", "of inputs recorded of one") \
   ROW(int, redraws, 3, "tries", "of inputs that meet the constraints") \
+  ROW(std::size_t, wordRunNodes, 60'000, "nodes", "of a system that is run on numbers before circuits are made") \
+  ROW(std::size_t, wordRunHints, 400, "hints", "of inputs from its comparisons") \
+  ROW(int, wordRunRounds, 3, "rounds", "of 64 such runs") \
+  ROW(int, wordRunScans, 3, "scans", "of each of them") \
+  ROW(int, wordRunRedraws, 12, "tries", "of inputs that meet the constraints, in each of their scans") \
   ROW(int, inputSamples, 8, "inputs", "that meet the constraints, from a solver") \
   ROW(double, inputSampleSeconds, 0.5, "s", "for them") \
   ROW(int, longestHeldRun, 1 << 17, "scans", "of a run with held inputs") \
