@@ -4,8 +4,8 @@
 #pragma once
 
 #include "frontend/graphical/drawn_model.hpp"
-#include "ir/iec/syntax.hpp"
 #include "frontend/stl/syntax_sink.hpp"
+#include "ir/iec/syntax.hpp"
 
 namespace rungproof::iec {
 

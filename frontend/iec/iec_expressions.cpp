@@ -101,6 +101,13 @@ void Lowering::step(Reference& at, const PathPart& part, const Expr& path) {
   const std::string folded = foldedName(part.name);
   if (at.instance != nullptr) {
     const auto member = at.instance->names.find(folded);
+    if (member == at.instance->names.end() && folded == "ENO" && at.instance->enabled) {
+      at.owner = at.instance;
+      at.type = elementaryType("BOOL");
+      at.offset = *at.instance->enabled;
+      at.instance = nullptr;
+      return;
+    }
     if (member == at.instance->names.end())
       refuse(part.span, fmt::format("block {} has no variable {}", at.instance->block->name, excerpt(part.name)),
              Syntax::IecName);

@@ -92,7 +92,7 @@ std::vector<const Expr*> Lowering::plainArguments(const Expr& expr,
   std::vector<const Expr*> found;
   std::map<std::string, const Expr*> formal;
   for (const Argument& argument : expr.arguments) {
-    if (argument.value == nullptr || argument.isOutput) continue;
+    if (argument.value == nullptr || argument.isOutput || foldedName(argument.name) == "EN") continue;
     if (argument.name.empty()) {
       found.push_back(argument.value.get());
     } else {
@@ -100,7 +100,6 @@ std::vector<const Expr*> Lowering::plainArguments(const Expr& expr,
     }
   }
   if (formal.empty()) return found;
-  if (formal.contains("EN")) return {};
   for (const std::string_view name : names) {
     if (const auto at = formal.find(std::string(name)); at != formal.end()) found.push_back(at->second);
   }
@@ -165,8 +164,47 @@ const Type* Lowering::standardResult(Scope& scope, const std::string& name, cons
 const Type* Lowering::call(Scope& scope, const Expr& expr, const Type* wanted) {
   const std::string name = foldedName(expr.parts[0].name);
   if (expr.parts.size() != 1) refuse(expr.span, "methods are not modelled", Syntax::IecNotModelled);
-  if (BlockInstance* own = functionNamed(name)) return ownFunction(scope, *own, expr);
-  return standardCall(scope, name, expr, wanted);
+  BlockInstance* own = functionNamed(name);
+  for (const Argument& argument : expr.arguments) {
+    const std::string pin = foldedName(argument.name);
+    const auto enable = pin == "EN" ? types_.constant(*argument.value) : std::nullopt;
+    if (pin == "EN" && !argument.isOutput && (!enable || enable->number != 1))
+      refuse(argument.span, "EN of a function that is not always TRUE is not modelled: use IF", Syntax::IecNotModelled);
+    if (argument.isOutput && pin != "ENO" && own == nullptr)
+      refuse(argument.span, fmt::format("{} has no output {} that can be read", name, excerpt(argument.name)));
+  }
+  const Type* type = own != nullptr ? ownFunction(scope, *own, expr) : standardCall(scope, name, expr, wanted);
+  tellEnabled(scope, name, expr);
+  return type;
+}
+
+/// ENO => x: TRUE, but for a division by 0. What other functions say of an error is not modelled.
+void Lowering::tellEnabled(Scope& scope, const std::string& name, const Expr& expr) {
+  for (const Argument& argument : expr.arguments) {
+    if (!argument.isOutput || foldedName(argument.name) != "ENO" || argument.value == nullptr) continue;
+    const auto row = standardFunctions().find(name);
+    const bool isStandard = functionNamed(name) == nullptr;
+    const bool isConversion = isStandard && row == standardFunctions().end() && name.starts_with("REAL");
+    const bool isPartial = isStandard && row != standardFunctions().end() &&
+                           (row->second.call == FunctionKind::RealFunction || row->second.call == FunctionKind::Mux);
+    if (isConversion || isPartial)
+      refuse(argument.span, fmt::format("ENO of {} is not modelled", name), Syntax::IecNotModelled);
+    const Reference target = reference(scope, *argument.value);
+    prepareWrite(scope, target);
+    const std::vector<const Expr*> values = plainArguments(expr, {"IN1", "IN2"});
+    const Type* type = isStandard && (name == "DIV" || name == "MOD") && values.size() == 2
+                           ? ownTypeOf(scope, values, expr.span)
+                           : nullptr;
+    if (type != nullptr && type->isNumber()) {
+      valueAs(scope, *values[1], *type);
+      constant(0, type->width);
+      emit("NE", {type->width, 0});
+      if (argument.isNegated) emit("NOT", {1});
+    } else {
+      constant(argument.isNegated ? 0 : 1, 1);
+    }
+    writeReference(scope, target);
+  }
 }
 
 /// All arguments are computed before the first is stored: one of them may call the same function.
@@ -181,8 +219,7 @@ const Type* Lowering::ownFunction(Scope& scope, BlockInstance& function, const E
   std::size_t position = 0;
   for (const Argument& argument : expr.arguments) {
     if (argument.isOutput) continue;
-    if (foldedName(argument.name) == "EN")
-      refuse(argument.span, "EN of a function is not modelled", Syntax::IecNotModelled);
+    if (foldedName(argument.name) == "EN") continue;
     std::size_t at = position;
     if (!argument.name.empty()) {
       at = 0;

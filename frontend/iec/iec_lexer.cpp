@@ -50,6 +50,9 @@ class IecLexer {
         const std::size_t end = std::min(text_.find('\n', at_), text_.size());
         comment(trimmed(text_.substr(at_, end - at_)));
         at_ = end;
+      } else if (sees("(*DBG:")) {
+        // What OpenPLC appends for its debugger: C, in which *) may stand, a comment for each line.
+        at_ = std::min(text_.find('\n', at_), text_.size());
       } else if (sees("(*")) {
         nested("(*", "*)");
       } else if (sees("/*")) {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ir/iec/syntax.hpp"
 #include "frontend/stl/syntax_sink.hpp"
+#include "ir/iec/syntax.hpp"
 
 namespace rungproof::iec {
 

@@ -1,6 +1,7 @@
 // Projects: variables and their places, instances, routines, the entry block.
 #include "frontend/iec/iec_lowering.hpp"
 
+#include "analysis/flow/variable_uses.hpp"
 #include "ir/iec/cpu.hpp"
 #include "ir/iec/dialect.hpp"
 #include "ir/s7200/cpu.hpp"
@@ -31,6 +32,13 @@ std::uint32_t Lowering::allocate(std::uint32_t bytes) {
 }
 
 void Lowering::run() {
+  const auto asksEnabled = [&](const Expr& expr) {
+    asksEnabled_ = asksEnabled_ || (expr.parts.size() > 1 && foldedName(expr.parts.back().name) == "ENO");
+  };
+  for (const BlockSyntax& block : project_.blocks) {
+    eachStatement(block.body,
+                  [&](const Statement& one, const Statements&, std::size_t) { eachExpression(one, asksEnabled); });
+  }
   declareGlobals();
   makePrograms();
   program_.target = Target(static_cast<Cpu>(firstIecCpu), Edition::Iec);
@@ -234,6 +242,7 @@ BlockInstance* Lowering::makeInstance(const BlockSyntax& block, std::string path
     if (result.type != nullptr) result.offset = allocate(result.type->bytes);
   }
   const std::string name = foldedName(block.name);
+  if (asksEnabled_ && block.kind == BlockKind::FunctionBlock && !made.names.contains("ENO")) made.enabled = allocate(1);
   if (block.isLibrary && (name == "TON" || name == "TOF" || name == "TP")) timers_.push_back(&made);
   --depth_;
   return &made;

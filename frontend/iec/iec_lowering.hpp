@@ -35,6 +35,7 @@ struct BlockInstance {
   /// Of a timer: the greatest PT that is given, as far as only constants are; nothing: any.
   std::optional<std::int64_t> longestPreset = 0;
   bool isCalled = false;
+  std::optional<std::uint32_t> enabled;  ///< place of ENO, where the project reads it as a part of an instance
 };
 
 /// A place: a variable, or elements of it by computed indices.
@@ -68,6 +69,7 @@ class Lowering {
     std::map<std::string, Reference> inOuts;
     std::vector<std::pair<int, int>> loops;  ///< labels of EXIT and CONTINUE
     int returnLabel = -1;                    ///< of a body that is written out; -1: RET
+    int faultLabel = -1;                     ///< where a fault in what is tried goes on; -1: it ends the scan
     Scope* caller = nullptr;
   };
 
@@ -137,6 +139,12 @@ class Lowering {
   void readOutputs(Scope& scope, BlockInstance& instance, const Expr& call);
   void runBody(Scope& scope, BlockInstance& instance, Scope& inner, Span span);
 
+  // iec_faults.cpp
+  void tryStatement(Scope& scope, const Statement& statement);
+  void guardFaults(Scope& scope, const Statement& statement);
+  void guardDivisions(Scope& scope, const Expr& expr);
+  void guardCall(Scope& scope, const Expr& call);
+
   // iec_expressions.cpp
   Reference reference(Scope& scope, const Expr& path, bool mayBeMissing = false);
   const Variable* find(Scope& scope, const std::string& folded, BlockInstance*& owner);
@@ -162,6 +170,7 @@ class Lowering {
   const Type* standardResult(Scope& scope, const std::string& name, const Expr& expr);
   const Type* standardCall(Scope& scope, const std::string& name, const Expr& expr, const Type* wanted);
   bool isStandard(const std::string& name) const;
+  void tellEnabled(Scope& scope, const std::string& name, const Expr& expr);
   const Type* ownFunction(Scope& scope, BlockInstance& function, const Expr& expr);
   const Type* conversion(Scope& scope, const std::string& name, const Expr& expr);
   void convert(const Type& from, const Type& to, bool cuts, Span span);
@@ -201,6 +210,7 @@ class Lowering {
   int nextRoutine_ = 0;
   int nextLabel_ = 0;
   int depth_ = 0;
+  bool asksEnabled_ = false;  ///< some path ends in .ENO
   Network* network_ = nullptr;
   Span span_;                            ///< of the statement at hand
   std::vector<std::uint8_t> isWritten_;  ///< by byte

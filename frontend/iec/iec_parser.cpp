@@ -122,6 +122,7 @@ class ProjectParser : private StatementParser {
       enumeration(*made);
     } else {
       made->name = name("a type");
+      while (accept(".")) made->name += "." + name("a type");
       if (is("(") && peek(1).kind != TokenKind::Word) {
         take();
         made->low = expression();

@@ -44,7 +44,16 @@ bool StatementParser::endsStatements() const {
   const IecToken& token = peek();
   if (token.kind != TokenKind::Word) return false;
   const std::string word = foldedName(token.text);
-  return word.starts_with("END_") || word == "ELSE" || word == "ELSIF" || word == "UNTIL";
+  return word.starts_with("END_") || word == "ELSE" || word == "ELSIF" || word == "UNTIL" || word == "__CATCH" ||
+         word == "__FINALLY" || word == "__ENDTRY";
+}
+
+/// `: =` with a blank is what its writer means, and no compiler takes it.
+void StatementParser::expectAssignment() {
+  if (!is(":") || peek(1).text != "=") return expect(":=");
+  sink_.report(Syntax::IecSpelling, source_.span(peek().begin, peek(1).end), "':=' is written without a blank");
+  take();
+  take();
 }
 
 /// A label of CASE begins with a constant and goes on with `:`, `,` or `..`.
@@ -78,7 +87,8 @@ Statement StatementParser::statement() {
   try {
     Statement made = plain();
     made.span = spanFrom(begin);
-    if (!accept(";") && !endsStatements()) fail(fmt::format("';' is needed here{}", found()));
+    const bool isClosed = made.kind == StatementKind::Try;  // its last word ends it
+    if (!accept(";") && !isClosed && !endsStatements()) fail(fmt::format("';' is needed here{}", found()));
     return made;
   } catch (const Unreadable&) {
     depth_ = depth;
@@ -115,6 +125,8 @@ Statement StatementParser::plain() {
     made.value = expression();
     accept(";");
     expect("END_REPEAT");
+  } else if (accept("__TRY")) {
+    tryStatement(made);
   } else if (accept("EXIT")) {
     made.kind = StatementKind::Exit;
   } else if (accept("CONTINUE")) {
@@ -128,12 +140,28 @@ Statement StatementParser::plain() {
     if (made.target->kind == ExprKind::Call) {
       made.kind = StatementKind::Call;
     } else {
-      expect(":=");
+      expectAssignment();
       made.kind = StatementKind::Assign;
       made.value = expression();
     }
   }
   return made;
+}
+
+void StatementParser::tryStatement(Statement& made) {
+  made.kind = StatementKind::Try;
+  made.otherwise = statements();
+  Branch caught, last;
+  expect("__CATCH");
+  if (accept("(")) {
+    caught.condition = path();
+    expect(")");
+  }
+  caught.body = statements();
+  if (accept("__FINALLY")) last.body = statements();
+  expect("__ENDTRY");
+  made.branches.push_back(std::move(caught));
+  made.branches.push_back(std::move(last));
 }
 
 void StatementParser::ifStatement(Statement& made) {

@@ -25,6 +25,8 @@ class StatementParser : protected ParserCore {
  private:
   Statement statement();
   Statement plain();
+  void expectAssignment();
+  void tryStatement(Statement& made);
   void ifStatement(Statement& made);
   void caseStatement(Statement& made);
   void forStatement(Statement& made);

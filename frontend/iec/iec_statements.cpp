@@ -14,6 +14,7 @@ void Lowering::statements(Scope& scope, const Statements& list) {
 }
 
 void Lowering::statement(Scope& scope, const Statement& s) {
+  if (scope.faultLabel >= 0) guardFaults(scope, s);
   switch (s.kind) {
     case StatementKind::Assign: return assign(scope, s);
     case StatementKind::Call: return callStatement(scope, *s.target);
@@ -49,6 +50,7 @@ void Lowering::statement(Scope& scope, const Statement& s) {
     case StatementKind::Return:
       if (scope.returnLabel >= 0) return jump(scope.returnLabel);
       return emit("RET");
+    case StatementKind::Try: return tryStatement(scope, s);
     case StatementKind::Unread: throw Refused{};
   }
 }
@@ -230,6 +232,10 @@ void Lowering::callInstance(Scope& scope, BlockInstance& instance, const Expr& c
   }
   const Type& boolean = *elementaryType("BOOL");
   const auto tell = [&](bool isEnabled) {
+    if (instance.enabled) {
+      constant(isEnabled ? 1 : 0, 1);
+      store(boolean, *instance.enabled);
+    }
     if (enabled == nullptr || enabled->value == nullptr) return;
     const Reference target = reference(scope, *enabled->value);
     prepareWrite(scope, target);

@@ -39,10 +39,17 @@ const std::map<std::string_view, Type>& elementaryTypes() {
       made.emplace(name, elementary(Kind::BitString, name, width, false, 0, (std::int64_t{1} << width) - 1));
     made.emplace("REAL", elementary(Kind::Real, "REAL", 32, true, 0, 0));
     made.emplace("TIME", elementary(Kind::Time, "TIME", 32, true, -2147483648LL, 2147483647LL));
-    for (const std::string_view name :
-         {"LINT",        "ULINT", "LWORD", "LREAL",         "LTIME",  "DATE",      "LDATE",
-          "TIME_OF_DAY", "TOD",   "LTOD",  "DATE_AND_TIME", "DT",     "LDT",       "STRING",
-          "WSTRING",     "CHAR",  "WCHAR", "POINTER",       "REF_TO", "REFERENCE", "ANY"})
+    for (const std::string_view name : {"LINT",          "ULINT",
+                                        "LWORD",         "LREAL",
+                                        "LTIME",         "DATE",
+                                        "LDATE",         "TIME_OF_DAY",
+                                        "TOD",           "LTOD",
+                                        "DATE_AND_TIME", "DT",
+                                        "LDT",           "STRING",
+                                        "WSTRING",       "CHAR",
+                                        "WCHAR",         "POINTER",
+                                        "REF_TO",        "REFERENCE",
+                                        "ANY",           "__SYSTEM.EXCEPTIONCODE"})
       made.emplace(name, elementary(Kind::Unsupported, name, 0, false, 0, 0));
     return made;
   }();

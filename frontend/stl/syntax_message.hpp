@@ -69,6 +69,7 @@ enum class Syntax : std::uint8_t {
   IecNotModelled,
   IecNoProgram,
   ReadAsIec,
+  IecSpelling,
   count
 };
 
@@ -192,6 +193,8 @@ inline constexpr std::array<SyntaxMessage, static_cast<std::size_t>(Syntax::coun
      "add the PROGRAM, or give one function block alone"},
     {Syntax::ReadAsIec, "SYN061", "Read as a program of IEC 61131-3", Severity::Note,
      "--dialect iec says so beforehand; --dialect s7-200 reads it as an S7-200 program and names what does not fit"},
+    {Syntax::IecSpelling, "SYN062", "Spelling that compilers of IEC 61131-3 refuse", Severity::Warning,
+     "it is read as it is meant; correct it before the program is compiled"},
 }};
 
 constexpr const SyntaxMessage& syntaxMessage(Syntax code) { return syntaxMessages[static_cast<std::size_t>(code)]; }

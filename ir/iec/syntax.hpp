@@ -57,7 +57,20 @@ struct Expr {
   std::vector<Argument> arguments;
 };
 
-enum class StatementKind : std::uint8_t { Assign, Call, If, Case, For, While, Repeat, Exit, Continue, Return, Unread };
+enum class StatementKind : std::uint8_t {
+  Assign,
+  Call,
+  If,
+  Case,
+  For,
+  While,
+  Repeat,
+  Exit,
+  Continue,
+  Return,
+  Try,
+  Unread
+};
 
 struct Statement;
 using Statements = std::vector<Statement>;
@@ -72,6 +85,8 @@ struct Branch {
   Statements body;
 };
 
+/// Try: `otherwise` is what is tried, the first branch what runs after a fault in it, the second one what runs in any
+/// case behind it.
 struct Statement {
   StatementKind kind = StatementKind::Assign;
   Span span;
