@@ -34,6 +34,7 @@ void checkIec002(const Facts& facts, FindingSink& sink) {
     Finding& finding =
         sink.report(row.variable->span, fmt::format("{} {} is never used", kindOf(row), row.variable->name));
     finding.address = row.variable->name;
+    if (row.block != nullptr) finding.pou = row.block->name;
     finding.help = "remove the declaration, or use it";
   }
 }

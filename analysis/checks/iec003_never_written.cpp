@@ -29,6 +29,7 @@ void checkIec003(const Facts& facts, FindingSink& sink) {
         sink.report(row.variable->span, fmt::format("{} is read, but never written", row.variable->name));
     if (isGiven) finding.severity = Severity::Note;
     finding.address = row.variable->name;
+    if (row.block != nullptr) finding.pou = row.block->name;
     for (const iec::VariableUse& use : row.uses) {
       if (!use.reads) continue;
       finding.related.push_back({use.span, "it is read here"});

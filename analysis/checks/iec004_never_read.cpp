@@ -21,6 +21,7 @@ void checkIec004(const Facts& facts, FindingSink& sink) {
     Finding& finding =
         sink.report(row.variable->span, fmt::format("{} is written, but never read", row.variable->name));
     finding.address = row.variable->name;
+    if (row.block != nullptr) finding.pou = row.block->name;
     finding.related.push_back({row.uses.front().span, "it is written here"});
     finding.help = "remove it, or use its value; declare it VAR_OUTPUT if others read it";
   }

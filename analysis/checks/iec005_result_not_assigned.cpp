@@ -98,6 +98,7 @@ void checkIec005(const Facts& facts, FindingSink& sink) {
     Finding& finding = sink.report(
         row.variable->span, fmt::format("output {} of {} is never written", row.variable->name, row.block->name));
     finding.address = row.variable->name;
+    if (row.block != nullptr) finding.pou = row.block->name;
     finding.help = "write it, or remove it";
   }
 }

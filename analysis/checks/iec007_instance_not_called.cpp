@@ -26,6 +26,7 @@ void checkIec007(const Facts& facts, FindingSink& sink) {
     Finding& finding = sink.report(row.variable->span,
                                    fmt::format("{}, an instance of {}, is never called", row.variable->name, of->name));
     finding.address = row.variable->name;
+    if (row.block != nullptr) finding.pou = row.block->name;
     finding.related.push_back({row.uses.front().span, "it is used here"});
     finding.help = fmt::format("call it in every scan: {}(...);", row.variable->name);
   }

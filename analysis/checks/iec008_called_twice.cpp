@@ -53,8 +53,12 @@ void collectCalls(const iec::Statements& list, const std::string& instance, Bran
   }
 }
 
-bool isOneOf(std::string_view name, std::initializer_list<std::string_view> names) {
-  return std::ranges::find(names, name) != names.end();
+/// What the blocks of the standard are is told by their pins: those that see edges have CLK, CU or CD, timers have PT.
+bool hasInput(const iec::BlockSyntax& block, std::initializer_list<std::string_view> names) {
+  return std::ranges::any_of(block.variables, [&](const iec::VariableSyntax& variable) {
+    return variable.section == iec::Section::Input &&
+           std::ranges::find(names, iec::foldedName(variable.name)) != names.end();
+  });
 }
 
 void checkIec008(const Facts& facts, FindingSink& sink) {
@@ -64,9 +68,8 @@ void checkIec008(const Facts& facts, FindingSink& sink) {
   for (const iec::DeclaredVariable& row : uses.all()) {
     const iec::BlockSyntax* of = uses.blockOf(*row.variable);
     if (row.block == nullptr || of == nullptr || !of->isLibrary) continue;
-    const std::string kind = iec::foldedName(of->name);
-    const bool isEdge = isOneOf(kind, {"R_TRIG", "F_TRIG"}) || kind.starts_with("CTU") || kind.starts_with("CTD");
-    const bool isTimer = isOneOf(kind, {"TON", "TOF", "TP"});
+    const bool isEdge = hasInput(*of, {"CLK", "CU", "CD"});
+    const bool isTimer = hasInput(*of, {"PT"});
     if (!isEdge && !isTimer) continue;
     std::vector<InstanceCall> calls;
     BranchPath path;

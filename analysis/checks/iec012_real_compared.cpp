@@ -48,7 +48,7 @@ bool isRealValue(const iec::VariableUses& uses, const iec::BlockSyntax& block, c
 }
 
 /// Zero is met exactly where nothing was worked out: a value that was set to it.
-bool isZero(const iec::Expr& expr) {
+bool isRealZero(const iec::Expr& expr) {
   return expr.kind == iec::ExprKind::Literal &&
          std::ranges::all_of(expr.text, [](char c) { return c == '0' || c == '.'; });
 }
@@ -63,7 +63,7 @@ void checkIec012(const Facts& facts, FindingSink& sink) {
         if (expr.kind != iec::ExprKind::Binary || (expr.text != "=" && expr.text != "<>") || expr.operands.size() != 2)
           return;
         if (iec::isSame(*expr.operands[0], *expr.operands[1])) return;  // asks whether it is a number
-        if (isZero(*expr.operands[0]) || isZero(*expr.operands[1])) return;
+        if (isRealZero(*expr.operands[0]) || isRealZero(*expr.operands[1])) return;
         if (!isRealValue(uses, block, *expr.operands[0]) && !isRealValue(uses, block, *expr.operands[1])) return;
         Finding& finding = sink.report(expr.span, fmt::format("REAL values are compared with {}", expr.text));
         finding.help = "compare the distance with a tolerance: ABS(a - b) < 0.01";

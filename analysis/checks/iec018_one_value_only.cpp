@@ -47,6 +47,7 @@ void checkIec018(const Facts& facts, FindingSink& sink) {
     Finding& finding = sink.report(first, *only ? fmt::format("{} is made TRUE and never FALSE again", variable.name)
                                                 : fmt::format("{} is only ever made FALSE", variable.name));
     finding.address = variable.name;
+    if (row.block != nullptr) finding.pou = row.block->name;
     finding.related.push_back({variable.span, "it is declared here"});
     finding.help = *only ? "reset it where its cause ends" : "set it somewhere, or remove it";
   }

@@ -46,7 +46,7 @@ EqualityProof::EqualityProof(ProgramProduct& written, const std::vector<std::str
 }
 
 void EqualityProof::writeTold(const TransitionSystem& system, const EncodedScan& encoding, const std::string& side) {
-  ToldProof proof(system, encoding.toldFacts(), encoding.keptCells());
+  ToldProof proof(system, encoding.toldFacts(), encoding.keptCells(), encoding.approximations().empty());
   if (proof.check({.each = seconds_, .total = 3 * seconds_}) != CheckResult::Valid)
     missing_.push_back(fmt::format("what the encoding of {} was told: {}", side, proof.reason()));
   else if (std::string text = proof.text(); !text.empty())

@@ -30,7 +30,8 @@ AsWritten::AsWritten(QuestionSystem& simplified, std::unique_ptr<QuestionSystem>
 
 ToldProof& AsWritten::told() {
   const EncodedScan& encoding = side_->askedProperties().encoding();
-  if (!told_) told_.emplace(side_->system(), encoding.toldFacts(), encoding.keptCells());
+  if (!told_)
+    told_.emplace(side_->system(), encoding.toldFacts(), encoding.keptCells(), encoding.approximations().empty());
   return *told_;
 }
 

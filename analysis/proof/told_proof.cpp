@@ -45,8 +45,9 @@ std::vector<Node> knownBehind(const TransitionSystem& system, const ToldFacts& t
 
 }  // namespace
 
-ToldProof::ToldProof(const TransitionSystem& system, const ToldFacts& told, const std::vector<KeptCell>& kept)
-    : system_(system) {
+ToldProof::ToldProof(const TransitionSystem& system, const ToldFacts& told, const std::vector<KeptCell>& kept,
+                     bool isExact)
+    : system_(system), isExact_(isExact) {
   std::unordered_set<Node> keeps;
   for (const KeptCell& cell : kept) keeps.insert(cell.node);
   const auto add = [&](const char* name, const std::vector<Node>& facts, bool isRefutable, auto&& isMeant) {
@@ -114,7 +115,7 @@ void ToldProof::judge(const CheckLimits& limits) {
     part.isShown = first == CheckResult::Valid && second == CheckResult::Valid;
     if (part.isShown) continue;
     const bool isRefused = first == CheckResult::Invalid || second == CheckResult::Invalid;
-    isRefuted_ = isRefuted_ || part.isFalse || (isRefused && part.isRefutable);
+    isRefuted_ = isRefuted_ || (part.isFalse && isExact_) || (isRefused && part.isRefutable);
     if (result_ == CheckResult::Valid || isRefused) result_ = isRefused ? CheckResult::Invalid : CheckResult::Unknown;
     reason_ += (reason_.empty() ? "" : ", ") + std::string(part.name);
   }

@@ -17,14 +17,16 @@ namespace rungproof {
 
 class ToldProof {
  public:
-  /// `system`: of the encoding that was told these facts. Adds nodes to its graph.
-  ToldProof(const TransitionSystem& system, const ToldFacts& told, const std::vector<KeptCell>& kept);
+  /// `system`: of the encoding that was told these facts. Adds nodes to its graph. `isExact`: nothing of it is
+  /// approximated, so that a run which breaks a fact shows a mistake.
+  ToldProof(const TransitionSystem& system, const ToldFacts& told, const std::vector<KeptCell>& kept, bool isExact);
 
   /// Valid: all of it holds. Checked once, then known; within the limits of the first call.
   CheckResult check(const CheckLimits& limits);
   /// What does not hold, or was not shown, after check().
   const std::string& reason() const { return reason_; }
-  /// Whether the check shows a mistake: a list of targets or of effects fails, or a run breaks a known condition.
+  /// Whether the check shows a mistake: a list of targets or of effects fails, or a run breaks a known condition and
+  /// nothing is approximated.
   bool isRefuted() const { return isRefuted_; }
   /// Empty if nothing was told.
   std::string text() const;
@@ -45,6 +47,7 @@ class ToldProof {
   void addParts(CertificateWriter& writer) const;
 
   TransitionSystem system_;
+  bool isExact_;
   std::vector<Part> parts_;
   std::optional<CheckResult> result_;
   std::string reason_;
