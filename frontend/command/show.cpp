@@ -6,10 +6,12 @@
 #include <charconv>
 #include <chrono>
 #include <memory>
+#include <set>
 
 #include "engine/instruction_recorder.hpp"
 #include "engine/stimulus.hpp"
 #include "frontend/command.hpp"
+#include "frontend/iec/iec_syntax.hpp"
 #include "frontend/input/program_input.hpp"
 #include "frontend/linting/lint_run.hpp"
 #include "frontend/picture/network_view.hpp"
@@ -17,6 +19,7 @@
 #include "frontend/simulation/trace_file.hpp"
 #include "frontend/step7/source_writer.hpp"
 #include "frontend/stl/stl_lexer.hpp"
+#include "ir/iec/cpu.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/cpu.hpp"
 
@@ -147,7 +150,9 @@ class Show {
       if (options.form == Form::Stl && pou.type != BlockType::None)
         block.declarations = step7::declarationLines(program, pou);
       for (const Network& network : pou.networks) {
-        if (isWanted(network)) block.networks.push_back(networkView(program, pou, network, options));
+        if (!isWanted(network) || isHidden(program, network)) continue;
+        block.networks.push_back(networkView(program, pou, network, options));
+        if (lit_) markSteps(pou, block.networks.back());
       }
       if (!block.networks.empty()) blocks.push_back(std::move(block));
     }
@@ -159,6 +164,24 @@ class Show {
              return equalsIgnoringCase(name, pou.name) ||
                     (pou.type != BlockType::None && equalsIgnoringCase(name, blockName(pou.number)));
            });
+  }
+  /// What a chart does and its text does not say.
+  static bool isHidden(const Program& program, const Network& network) {
+    return isIec(program.target) && network.complete && network.span.length == 0;
+  }
+  /// A star at the steps of a chart that are active at the end of the scan.
+  void markSteps(const Pou& pou, NetworkView& view) const {
+    const bool isChart =
+        std::ranges::any_of(view.statements, [](const std::string& line) { return line.starts_with("[["); });
+    for (std::string& line : view.statements) {
+      if (!isChart) return;
+      const std::size_t first = line.find_first_not_of('['), end = line.find(']');
+      const bool isStep = line.starts_with("[") && end != std::string::npos && first < end;
+      const bool isActive =
+          isStep &&
+          activeSteps_.contains(iec::foldedName(fmt::format("{}.{}.X", pou.name, line.substr(first, end - first))));
+      line.insert(0, isActive ? "* " : "  ");
+    }
   }
   bool isWanted(const Network& network) const {
     return ranges_.empty() || std::ranges::any_of(ranges_, [&](const NumberRange& range) {
@@ -209,6 +232,10 @@ class Show {
       recorder.beginScan(simulator.scanCount() + 1 == lit_->scan);
       simulator.scan(player.next());
     }
+    for (const Symbol& symbol : program.symbols) {
+      if (isIec(program.target) && symbol.name.ends_with(".X") && simulator.read(symbol.address) != 0)
+        activeSteps_.insert(iec::foldedName(symbol.name));
+    }
     return true;
   }
 
@@ -219,6 +246,7 @@ class Show {
   bool isFound_ = false;
   std::vector<NumberRange> ranges_;
   std::optional<LitScan> lit_;
+  std::set<std::string> activeSteps_;  ///< "MAIN.FILL.X"
   std::vector<Failure> failures_;
 };
 
@@ -248,7 +276,7 @@ extern constexpr Command showCommand = {
         "A network that has no picture in the wanted form is shown as STL with the reason. Findings of lint are\n"
         "marked below the element they are about. With --at the program runs with the trace as stimulus: wires\n"
         "with power are heavy (in ASCII '='), closed contacts and energised coils are filled, and values stand\n"
-        "behind the addresses.\n"
+        "behind the addresses. Active steps of a chart have a star.\n"
         "\n"
         "Examples:\n"
         "    rungproof show press.awl\n"

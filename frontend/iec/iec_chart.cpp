@@ -37,6 +37,7 @@ class ChartWriter {
 
   Statements run() {
     Statements made;
+    const std::string picture = pictureOf();
     check();
     if (!chart_.isWhole) {
       Statement lost;
@@ -51,24 +52,79 @@ class ChartWriter {
     Statements control = actionStatements(chart_, block_);
     const bool hasActions = !control.empty();
     const std::string actions = hasActions ? routine("actions", std::move(control)) : std::string();
-    const auto call = [&](const std::string& name) { return callStatementOf(callOf({name}, chart_.span)); };
+    const Span place{chart_.span.file, chart_.span.offset, 0};
+    const auto call = [&](const std::string& name) { return callStatementOf(callOf({name}, place)); };
     if (!hasActions) {
       made.push_back(call(transitions));
     } else {
       Statements actionsFirst;
       actionsFirst.push_back(call(actions));
       actionsFirst.push_back(call(transitions));
-      Statement order =
-          ifOf(readingOf("iec-sfc-order", "actions-first", chart_.span), std::move(actionsFirst), chart_.span);
+      Statement order = ifOf(readingOf("iec-sfc-order", "actions-first", place), std::move(actionsFirst), place);
       order.hasElse = true;
       order.otherwise.push_back(call(transitions));
       order.otherwise.push_back(call(actions));
       made.push_back(std::move(order));
     }
+    made.back().picture = picture;
     return made;
   }
 
  private:
+  /// The chart for people: each step with its actions, and below it the transitions that leave it.
+  ///   [[Idle]]
+  ///     | Start => (Fill, Heat)
+  ///   [Fill]  Valve(N), Late(D, T#2s)
+  std::string pictureOf() {
+    std::string text;
+    for (const ChartStep& step : chart_.steps) {
+      text += fmt::format(fmt::runtime(step.isInitial ? "[[{}]]" : "[{}]"), step.name);
+      for (const ChartAction& action : step.actions)
+        text += fmt::format("{}{}({}{})", &action == &step.actions.front() ? "  " : ", ", action.name,
+                            nameOf(action.qualifier), action.timeText.empty() ? "" : ", " + action.timeText);
+      text += "\n";
+      for (const ChartTransition& transition : chart_.transitions) {
+        if (transition.from.empty() || foldedName(transition.from[0].first) != foldedName(step.name)) continue;
+        text += "  | ";
+        if (transition.priority) text += fmt::format("{}: ", *transition.priority);
+        if (transition.from.size() > 1) text += fmt::format("{}: ", namesOf(transition.from));
+        text += conditionText(transition);
+        text += fmt::format(" {} {}\n", transition.to.size() > 1 ? "=>" : "->", namesOf(transition.to));
+      }
+    }
+    return text;
+  }
+  static std::string namesOf(const std::vector<std::pair<std::string, Span>>& list) {
+    std::string names;
+    for (const auto& [name, span] : list) names += (names.empty() ? "" : ", ") + name;
+    return list.size() == 1 ? names : "(" + names + ")";
+  }
+  static std::string_view nameOf(Qualifier qualifier) {
+    for (const auto& [text, known] : qualifiers) {
+      if (known == qualifier) return text;
+    }
+    return {};
+  }
+  /// As it stands in the file, in one line.
+  std::string written(Span span) const {
+    std::string text;
+    for (const char c : sink_.program().sources->text(span)) {
+      const bool isBlank = c == ' ' || c == '\n' || c == '\r' || c == '\t';
+      if (!isBlank || (!text.empty() && text.back() != ' ')) text += isBlank ? ' ' : c;
+    }
+    return text;
+  }
+  std::string conditionText(const ChartTransition& transition) const {
+    if (transition.condition != nullptr) return written(transition.condition->span);
+    std::string text;
+    for (const Statement& s : transition.body) {
+      if (s.kind != StatementKind::Line && transition.result.empty()) continue;
+      text += (text.empty() ? "" : "; ") + written(s.span);
+    }
+    const bool isDrawn = !transition.body.empty() && transition.body[0].kind != StatementKind::Line;
+    return text.empty() ? "(not read)" : isDrawn && text.starts_with("<") ? "(drawn)" : text;
+  }
+
   void error(Syntax code, Span span, std::string message) {
     chart_.isWhole = false;
     sink_.report(code, span, std::move(message));

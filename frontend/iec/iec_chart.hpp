@@ -19,6 +19,7 @@ struct ChartAction {
   std::string name;  ///< of a body, or a BOOL variable
   Qualifier qualifier = Qualifier::N;
   ExprPtr time;
+  std::string timeText;  ///< as written
   Span span;
 };
 

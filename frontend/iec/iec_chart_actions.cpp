@@ -115,11 +115,11 @@ class ActionWriter {
 
   /// NOT R AND (what any association makes of it). A pulse of a body is kept apart: it has no final scan.
   void writeControl(const Control& control, ExprPtr& pulse, Statements& made) {
-    const Span span = control.uses[0].second->span;
+    const Span place = control.uses[0].second->span, span{place.file, place.offset, 0};
     const std::string q = variableOf(control, "active"), was = variableOf(control, "before");
     declare(q, "BOOL", span);
     declare(was, "BOOL", span);
-    made.push_back(assignmentOf(pathOf({was}, span), pathOf({q}, span), {span.file, span.offset, 0}));
+    made.push_back(assignmentOf(pathOf({was}, span), pathOf({q}, span), span));
     ExprPtr reset, any;
     for (const auto& [step, use] : control.uses) {
       if (use->qualifier == Qualifier::R) reset = orOf(std::move(reset), active(*step));

@@ -90,7 +90,9 @@ void ChartParser::association(ChartStep& step) {
     made.qualifier = *qualifier;
     if (takesTime(*qualifier)) {
       if (!accept(",")) fail(fmt::format("{} needs a duration", foldedName(word.text)));
+      const std::uint32_t first = peek().begin;
       made.time = expression();
+      made.timeText = source_.text.substr(first, tokens_[at_ - 1].end - first);
     } else if (is(",") && peek(1).kind == TokenKind::Number) {
       failAt(peek(1), fmt::format("{} takes no duration", foldedName(word.text)));
     }

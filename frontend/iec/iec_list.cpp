@@ -25,7 +25,8 @@ struct Lowering::ListState {
     Span span;
   };
   struct Mark {
-    int number;
+    std::string name;  ///< as written
+    int number = 0;
     bool isPassed = false, isArrived = false;
     bool isUsed = false;  ///< what is current there is read behind it
     Result arrived;
@@ -65,6 +66,7 @@ void Lowering::beginList(Scope& scope, const Statements& body) {
   for (const Statement& s : body) {
     if (s.kind != StatementKind::Line || s.line->label.empty()) continue;
     const auto [at, isNew] = scope.list->marks.emplace(foldedName(s.line->label), ListState::Mark{});
+    at->second.name = s.line->label;
     at->second.number = newLabel();
     if (!isNew) error(Syntax::IecName, s.span, fmt::format("two lines have the label {}", excerpt(s.line->label)));
   }
@@ -129,6 +131,7 @@ void Lowering::combineResult(Scope& scope, const std::string& op, ExprPtr left, 
 void Lowering::carryResult(Scope& scope, const std::string& label, Span span) {
   ListState& list = *scope.list;
   ListState::Mark& mark = list.marks.at(label);
+  if (!list.since.empty()) list.marks.at(list.since).isUsed = true;  // by whatever reads it behind this label
   if (list.current.number != nullptr) {
     const ExprPtr number = copyOf(*list.current.number);
     const ExprPtr held = heldValue(scope, *number, 0);
@@ -140,7 +143,7 @@ void Lowering::carryResult(Scope& scope, const std::string& label, Span span) {
   if (mark.isPassed) {
     if (mark.isUsed && (!isSame || list.current.isLost)) {
       if (list.current.isLost) throw Refused{};
-      refuse(span, fmt::format("the current result has another type at the label {}", excerpt(label)));
+      refuse(span, fmt::format("the current result has another type at the label {}", excerpt(mark.name)));
     }
   } else if (!mark.isArrived) {
     mark.arrived = list.current;

@@ -389,6 +389,10 @@ void Lowering::writeRoutine(Pou pou, Scope& scope, const Statements& body) {
     } else {
       write(one.span, [&] { statement(scope, one); });
     }
+    if (!one.picture.empty() && !pou.networks.empty()) {
+      const std::uint32_t file = program_.sources->add(fmt::format("chart of {}", pou.name), one.picture);
+      pou.networks.back().span = {file, 0, static_cast<std::uint32_t>(one.picture.size())};
+    }
     if (!pou.networks.empty() && !pou.networks.back().complete) pou.networks.back().mayWrite = writtenBy(scope, one);
   }
   endList(scope);

@@ -72,6 +72,7 @@ class PlcopenChart {
       if (name == "step" || name == "jumpStep") readSuccessor(node, name == "step" ? "name" : "targetName");
       if (name == "actionBlock") readActionBlock(node);
     }
+    refuseLooseResults();
     for (std::size_t i = 0; i < transitions_.size(); ++i) {
       if (chart_.transitions[i].to.empty()) refuse(transitions_[i], "the transition leads to no step");
     }
@@ -255,6 +256,17 @@ class PlcopenChart {
     if (localName(languageIn(body)) != "IL") made.result = name;
   }
 
+  /// What is drawn in the chart, writes something and belongs to no condition.
+  void refuseLooseResults() {
+    for (const pugi::xml_node& node : sfc_.children()) {
+      const std::string_view name = localName(node);
+      const bool isResult = name == "coil" || name == "outVariable" || name == "inOutVariable" || name == "block";
+      if (isResult && !inConditions_.contains(node.attribute("localId").value()))
+        refuse(node, fmt::format("<{}> in a chart belongs to no condition: when it is executed is not said", name),
+               Syntax::IecNotModelled);
+    }
+  }
+
   /// Contacts, variables and functions that are drawn beside the transition.
   void readConnected(const pugi::xml_node& condition, ChartTransition& made) {
     const DrawnNetwork all = bodies_.networkOf(sfc_);
@@ -281,6 +293,7 @@ class PlcopenChart {
         const auto element = byId.find(link.from);
         if (element == byId.end() || !seen.insert(link.from).second) continue;
         network.elements.push_back(*element->second);
+        inConditions_.insert(link.from);
         for (const DrawnPin& input : element->second->inputs) open.push_back(&input);
         for (const ShapeFault& fault : plcopenFaults(elements_.at(link.from))) {
           bodies_.report(fault.node, Syntax::XmlStructure, fault.message);
@@ -333,6 +346,7 @@ class PlcopenChart {
     if (takesTime(*known)) {
       if (duration.empty()) return refuse(node, fmt::format("{} needs a duration", qualifier));
       made.time = bodies_.expressionOf(duration, node);
+      made.timeText = duration;
       if (made.time == nullptr) {
         chart_.isWhole = false;
         return;
@@ -356,6 +370,7 @@ class PlcopenChart {
   ChartSyntax chart_;
   std::map<std::string, pugi::xml_node> elements_;
   std::vector<pugi::xml_node> transitions_;  ///< as in chart_
+  std::set<std::string> inConditions_;       ///< elements of LD and FBD that lead to a transition
 };
 
 }  // namespace

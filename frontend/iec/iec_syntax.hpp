@@ -107,6 +107,7 @@ struct Statement {
   Statements otherwise;
   bool hasElse = false;
   std::unique_ptr<ListLine> line;  ///< Line
+  std::string picture;             ///< of a chart: the text that shows it
 };
 
 enum class TypeForm : std::uint8_t { Named, Array, Struct, Enum };

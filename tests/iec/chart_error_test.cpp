@@ -157,5 +157,28 @@ TEST(IecChartProofs, NamesOfStepsInStimuliAndTables) {
   EXPECT_EQ(uses.exit, 0) << uses.text;
 }
 
+TEST(IecChartShow, AChartIsShownAsText) {  // and with a scan of a trace its active steps are marked
+  const test::TemporaryFolder folder;
+  folder.file("main.st", chartProgram("INITIAL_STEP A: END_STEP\nSTEP B: q(D, T#2s); END_STEP\nSTEP C: END_STEP\n"
+                                      "TRANSITION (PRIORITY := 2) FROM A TO (B, C) := x; END_TRANSITION\n"
+                                      "TRANSITION FROM (B, C) TO A : LDN x\nAND q\nEND_TRANSITION",
+                                      "\n//@ prove never: not B.X"));
+  const auto run = [](std::vector<std::string> arguments) {
+    std::istringstream in;
+    std::ostringstream out, err;
+    arguments.emplace_back("--isolated");
+    runProgram(arguments, {in, out, err});
+    return out.str() + err.str();
+  };
+  const std::string file = folder.path("main.st");
+  const std::string plain = run({"show", file, "--pou", "main"});
+  EXPECT_NE(plain.find("  [[A]]\n    | 2: x => (B, C)\n  [B]  q(D, T#2s)\n    | (B, C): LDN x; AND q -> A\n  [C]\n"),
+            std::string::npos)
+      << plain;
+  run({"prove", file, "--traces", folder.path("runs")});
+  const std::string lit = run({"show", file, "--pou", "main", "--at", folder.path("runs/never.csv") + ":1"});
+  EXPECT_NE(lit.find("    [[A]]\n      | 2: x => (B, C)\n  * [B]"), std::string::npos) << lit;
+}
+
 }  // namespace
 }  // namespace rungproof

@@ -202,6 +202,10 @@ TEST(IecChartXml, WrongChartsAreNamedAndNotProved) {
       {start + ends + actions(8, 2, action("", reference("q"))), "which step has these actions is not said"},
       {start + ends + actions(8, 3, action("", "")), "an action has neither a name nor a body"},
       {stepNamed(1, "A", {}) + ends, "the chart has no initial step"},
+      {start + ends +
+           "<coil localId=\"9\"><position x=\"0\" y=\"0\"/><connectionPointIn/><connectionPointOut/><variable>q"
+           "</variable></coil>",
+       "<coil> in a chart belongs to no condition"},
       {start + ends + "<gadget localId=\"9\"/>", "element <gadget> is not known in <SFC>"},
       {"<step localId=\"1\" name=\"A\" initialStep=\"true\"><position x=\"0\" y=\"0\"/><addData><data "
        "name=\"http://www.3s-software.com/plcopenxml/sfc/element\" "
