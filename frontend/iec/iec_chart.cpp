@@ -282,6 +282,7 @@ class ChartWriter {
       fire = hiddenVariable(block_, "fires", "BOOL", transition.span);
       ExprPtr enabled;
       for (const auto& [name, span] : transition.from) enabled = andOf(std::move(enabled), pathOf({name, "X"}, span));
+      if (enabled == nullptr) enabled = literalOf("FALSE", transition.span);  // a drawing without its line
       // A step gives its token to one transition only.
       for (std::size_t earlier = 0; earlier < place; ++earlier) {
         if (sharesStep(chart_.transitions[order[earlier]], transition))

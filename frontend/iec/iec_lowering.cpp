@@ -219,10 +219,11 @@ BlockInstance* Lowering::makeInstance(const BlockSyntax& block, std::string path
       }
       if (variable.section == Section::InOut) {
         made.hasInOut = true;
-        Variable& formal = made.names[name];
+        Variable formal;
         formal.type = types_.resolve(*variable.type);
         formal.declared = &variable;
         if (formal.type == nullptr) throw Refused{};
+        made.names[name] = formal;
         continue;
       }
       if (!made.names.emplace(name, makeVariable(variable, made.path)).second)
@@ -293,6 +294,7 @@ std::optional<Operands> Lowering::writtenBy(Scope& scope, const Statement& one) 
 
 /// The places of a variable; nothing if they are not known.
 std::optional<Operands> Lowering::placesOf(Scope& scope, const Expr& path) {
+  if (path.kind != ExprKind::Path) return std::nullopt;
   const std::size_t before = program_.findings.size();
   std::optional<Operands> written;
   try {

@@ -319,7 +319,9 @@ void Lowering::bindInputs(Scope& scope, BlockInstance& instance, const Expr& cal
              fmt::format("block {} has no input {}", instance.block->name,
                          argument.name.empty() ? std::string("more") : excerpt(argument.name)),
              Syntax::IecName);
-    const Variable& variable = instance.names.at(foldedName(formal->name));
+    const auto declared = instance.names.find(foldedName(formal->name));
+    if (declared == instance.names.end()) throw Refused{};  // its declaration was not understood, which is told there
+    const Variable& variable = declared->second;
     if (formal->section == Section::InOut) {
       if (argument.value->kind != ExprKind::Path) refuse(argument.span, "IN_OUT needs a variable");
       const Reference actual = reference(scope, *argument.value);

@@ -191,6 +191,9 @@ TEST(IecChartXml, WrongChartsAreNamedAndNotProved) {
        "macro steps are not modelled"},
       {start + transition(2, 1, inlineText("x")), "the transition leads to no step"},
       {start + transition(2, 7, inlineText("x")) + stepNamed(3, "B", {2}), "there is no element 7"},
+      {start + ends + "<transition localId=\"7\"><position x=\"0\" y=\"0\"/><connectionPointOut/><condition>" +
+           inlineText("10 / n > 2") + "</condition></transition>" + stepNamed(8, "C", {7}),
+       "no step leads to the transition"},
       {start + ends + transition(5, 2, inlineText("x")) + stepNamed(6, "C", {5}),
        "<transition> does not lead to <transition>"},
       {start + ends + stepNamed(7, "D", {3}), "<step> does not lead to <step>"},

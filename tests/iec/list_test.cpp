@@ -200,6 +200,7 @@ constexpr WrongList wrongLists[] = {
     {"LD q\nJMP in\nback: JMP out\nin: LD a\nJMP back\nout: ST q",
      "the current result has another type at the label back", 7, 1},
     {"LD q\nback: JMP out\nin: LD a\nJMP back\nout: ST q", "the current result has another type at the label", 6, 1},
+    {"LD a\nST 5", "this is no variable", 4, 4},
     {"CAL a", "a is no instance of a function block", 3, 5},
     {"LD q\nCAL", "CAL needs an instance", 4, 1},
     {"LD q\nJMP 5", "JMP needs a name, not '5'", 4, 5},
