@@ -157,6 +157,25 @@ TEST(IecChartProofs, NamesOfStepsInStimuliAndTables) {
   EXPECT_EQ(uses.exit, 0) << uses.text;
 }
 
+TEST(IecChartProofs, WitnessesRepeat) {  // the input has the name of a column that a witness has of its own
+  const test::TemporaryFolder folder;
+  folder.file("main.st",
+              "PROGRAM main VAR_INPUT start : BOOL; END_VAR VAR n : INT; END_VAR\n//@ prove never: n < 3\n"
+              "INITIAL_STEP A: END_STEP\nSTEP B: add(P); END_STEP\nTRANSITION FROM A TO B := start; END_TRANSITION\n"
+              "TRANSITION FROM B TO A : LDN start\nEND_TRANSITION\nACTION add: n := n + 1; END_ACTION\nEND_PROGRAM\n");
+  const auto run = [](std::vector<std::string> arguments) {
+    std::istringstream in;
+    std::ostringstream out, err;
+    arguments.emplace_back("--isolated");
+    const int exit = runProgram(arguments, {in, out, err});
+    return std::make_pair(exit, out.str() + err.str());
+  };
+  EXPECT_EQ(run({"prove", folder.path("main.st"), "--traces", folder.path("runs")}).first, 1);
+  const std::string trace = folder.path("runs/never.csv");
+  const auto [exit, text] = run({"sim", folder.path("main.st"), "--stimulus", trace, "--expect", trace});
+  EXPECT_EQ(exit, 0) << text;
+}
+
 TEST(IecChartShow, AChartIsShownAsText) {  // and with a scan of a trace its active steps are marked
   const test::TemporaryFolder folder;
   folder.file("main.st", chartProgram("INITIAL_STEP A: END_STEP\nSTEP B: q(D, T#2s); END_STEP\nSTEP C: END_STEP\n"
