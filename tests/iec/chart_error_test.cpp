@@ -157,12 +157,15 @@ TEST(IecChartProofs, NamesOfStepsInStimuliAndTables) {
   EXPECT_EQ(uses.exit, 0) << uses.text;
 }
 
-TEST(IecChartProofs, WitnessesRepeat) {  // the input has the name of a column that a witness has of its own
+TEST(IecChartProofs, WitnessesRepeat) {  // with names that mean something else in tables of other families
   const test::TemporaryFolder folder;
-  folder.file("main.st",
-              "PROGRAM main VAR_INPUT start : BOOL; END_VAR VAR n : INT; END_VAR\n//@ prove never: n < 3\n"
-              "INITIAL_STEP A: END_STEP\nSTEP B: add(P); END_STEP\nTRANSITION FROM A TO B := start; END_TRANSITION\n"
-              "TRANSITION FROM B TO A : LDN start\nEND_TRANSITION\nACTION add: n := n + 1; END_ACTION\nEND_PROGRAM\n");
+  folder.file(
+      "main.st",
+      "FUNCTION_BLOCK keep VAR_INPUT value : INT; END_VAR END_FUNCTION_BLOCK\n"
+      "PROGRAM main VAR_INPUT start : BOOL; END_VAR VAR n, T1 : INT; k : keep; END_VAR\n//@ prove never: n < 3\n"
+      "INITIAL_STEP A: END_STEP\nSTEP B: add(P); END_STEP\nTRANSITION FROM A TO B := start; END_TRANSITION\n"
+      "TRANSITION FROM B TO A : LDN start\nEND_TRANSITION\nACTION add: n := n + 1; T1 := n; k(value := n); "
+      "END_ACTION\nEND_PROGRAM\n");
   const auto run = [](std::vector<std::string> arguments) {
     std::istringstream in;
     std::ostringstream out, err;
