@@ -37,6 +37,7 @@ class ChartWriter {
 
   Statements run() {
     Statements made;
+    limitSize();
     const std::string picture = pictureOf();
     check();
     if (!chart_.isWhole) {
@@ -135,6 +136,21 @@ class ChartWriter {
     const auto found =
         std::ranges::find_if(chart_.steps, [&](const ChartStep& s) { return foldedName(s.name) == folded; });
     return found == chart_.steps.end() ? nullptr : &*found;
+  }
+
+  /// Which transition comes before which is written out for all that leave one step.
+  void limitSize() {
+    std::map<std::string, std::size_t> leaving;
+    std::size_t most = 0;
+    for (const ChartTransition& transition : chart_.transitions) {
+      for (const auto& [name, span] : transition.from) most = std::max(most, ++leaving[foldedName(name)]);
+    }
+    if (chart_.steps.size() <= mostParts && chart_.transitions.size() <= mostParts && most <= mostBranches) return;
+    error(Syntax::IecNotModelled, chart_.span,
+          fmt::format("a chart of more than {} steps or transitions, or of {} that leave one step, is not modelled",
+                      mostParts, mostBranches));
+    chart_.transitions.clear();
+    chart_.steps.resize(std::min<std::size_t>(chart_.steps.size(), mostParts));
   }
 
   /// Names, and one initial step in each net.
@@ -369,6 +385,8 @@ class ChartWriter {
       restart.push_back(assignmentOf(member(step, clock), literalOf("0ms", step.span, "T"), step.span));
     made.push_back(ifOf(std::move(entered), std::move(restart), {step.span.file, step.span.offset, 0}));
   }
+
+  static constexpr std::size_t mostParts = 1000, mostBranches = 100;
 
   ChartSyntax& chart_;
   BlockSyntax& block_;

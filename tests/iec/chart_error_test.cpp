@@ -91,6 +91,19 @@ TEST(IecChartErrors, NestingIsLimited) {
   EXPECT_NE(findingsIec(readIecText(chartProgram(deep))).find("nested too deeply"), std::string::npos);
 }
 
+TEST(IecChartErrors, SizesAreLimited) {  // and a chart of the greatest size is read
+  const auto chart = [](int steps, int branches) {
+    std::string text = "INITIAL_STEP S0: END_STEP\n";
+    for (int i = 1; i < steps; ++i)
+      text += fmt::format("STEP S{0}: END_STEP TRANSITION FROM S{1} TO S{0} := x; END_TRANSITION\n", i, i - 1);
+    for (int i = 1; i < branches; ++i) text += "TRANSITION FROM S0 TO S0 := x; END_TRANSITION\n";
+    return findingsIec(readIecText(chartProgram(text)));
+  };
+  EXPECT_EQ(chart(900, 100), "");
+  for (const std::string& findings : {chart(1100, 1), chart(2, 101), chart(20'000, 20'000)})
+    EXPECT_NE(findings.find("a chart of more than 1000 steps or transitions"), std::string::npos) << findings;
+}
+
 TEST(IecChartErrors, AFunctionIsNoChart) {
   EXPECT_NE(
       findingsIec(readIecText("FUNCTION f : INT VAR_INPUT x : BOOL; END_VAR\nINITIAL_STEP A: END_STEP\nEND_FUNCTION\n" +
