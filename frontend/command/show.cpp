@@ -75,6 +75,71 @@ std::optional<LitScan> scanNamed(const std::string& text) {
   return error == std::errc() && next == end && lit.scan > 0 ? std::optional(lit) : std::nullopt;
 }
 
+/// Whether the line of a transition, `x => (A, B)`, leads to the step.
+bool leadsTo(std::string_view transition, std::string_view step) {
+  constexpr std::string_view ends = " ,()>";
+  for (std::size_t at = transition.rfind('>'); at < transition.size(); ++at) {
+    at = transition.find(step, at);
+    if (at == std::string_view::npos) return false;
+    const std::size_t end = at + step.size();
+    if (ends.find(transition[at - 1]) != ends.npos &&
+        (end == transition.size() || ends.find(transition[end]) != ends.npos))
+      return true;
+  }
+  return false;
+}
+
+/// A chart as a picture, from the lines that show it as text: steps below each other, at their right what they do, and
+/// on the line that leaves a step its transitions as bars. `isLit`: stars mark the active steps.
+Picture chartPicture(const std::vector<std::string>& lines, bool isLit) {
+  constexpr int left = 2, boxHeight = 3, middle = left + 6;
+  Picture picture;
+  const auto wire = [&](int x0, int y0, int x1, int y1) {
+    picture.wires.push_back({x0, y0, x1, y1, 0, Flow3::Unknown});
+  };
+  const auto label = [&](LabelRole role, int x, int y, std::string text) {
+    picture.width = std::max(picture.width, x + static_cast<int>(text.size()) + 1);
+    picture.labels.push_back({role, -1, x, y, std::move(text)});
+  };
+  int row = 0, below = -1;  // where the line of the step above begins
+  std::vector<std::string> leaving;
+  for (const std::string& line : lines) {
+    const bool isActive = isLit && line.starts_with("* ");
+    const std::string text(trimmed(std::string_view(line).substr(isLit ? 2 : 0)));
+    if (text.starts_with("| ")) {
+      wire(middle - 2, row, middle + 2, row);
+      label(LabelRole::Symbol, middle + 4, row, text.substr(2));
+      wire(middle, below, middle, row);
+      leaving.push_back(text);
+      row += 2;
+      continue;
+    }
+    const bool isInitial = text.starts_with("[[");
+    const std::size_t end = text.find(']');
+    const std::string name = text.substr(isInitial ? 2 : 1, end - (isInitial ? 2 : 1));
+    const int width = std::max(static_cast<int>(name.size()) + 4, 13);
+    if (below >= 0) ++row;
+    if (std::ranges::any_of(leaving, [&](const std::string& one) { return leadsTo(one, name); }))
+      wire(middle, below, middle, row);
+    leaving.clear();
+    const Flow3 state = !isLit ? Flow3::Unknown : isActive ? Flow3::On : Flow3::Off;
+    if (isInitial) {
+      picture.symbols.push_back({SymbolKind::Box, -1, left - 1, row, width + 2, boxHeight + 2, "", state});
+      ++row;
+    }
+    picture.symbols.push_back({SymbolKind::Box, -1, left, row, width, boxHeight, "", state});
+    label(LabelRole::BoxName, left + 2, row + 1, name);
+    const std::size_t actions = text.find_first_not_of("] ", end);
+    if (actions != std::string::npos) label(LabelRole::Note, left + width + 3, row + 1, text.substr(actions));
+    row += boxHeight + (isInitial ? 1 : 0);
+    below = row - 1;
+    ++row;
+  }
+  picture.height = row;
+  picture.width = std::max(picture.width, 40);
+  return picture;
+}
+
 class Show {
  public:
   Show(const Arguments& arguments, const Context& context) : arguments_(arguments), context_(context) {}
@@ -152,7 +217,10 @@ class Show {
       for (const Network& network : pou.networks) {
         if (!isWanted(network) || isHidden(program, network)) continue;
         block.networks.push_back(networkView(program, pou, network, options));
-        if (lit_) markSteps(pou, block.networks.back());
+        NetworkView& view = block.networks.back();
+        if (!isIec(program.target) || view.statements.empty() || !view.statements[0].starts_with("[")) continue;
+        if (lit_) markSteps(pou, view);
+        if (isSvg_) view.picture = chartPicture(std::exchange(view.statements, {}), lit_.has_value());
       }
       if (!block.networks.empty()) blocks.push_back(std::move(block));
     }
@@ -171,10 +239,7 @@ class Show {
   }
   /// A star at the steps of a chart that are active at the end of the scan.
   void markSteps(const Pou& pou, NetworkView& view) const {
-    const bool isChart =
-        std::ranges::any_of(view.statements, [](const std::string& line) { return line.starts_with("[["); });
     for (std::string& line : view.statements) {
-      if (!isChart) return;
       const std::size_t first = line.find_first_not_of('['), end = line.find(']');
       const bool isStep = line.starts_with("[") && end != std::string::npos && first < end;
       const bool isActive =

@@ -212,6 +212,9 @@ TEST(IecChartShow, AChartIsShownAsText) {  // and with a scan of a trace its act
       << plain;
   run({"prove", file, "--traces", folder.path("runs")});
   const std::string lit = run({"show", file, "--pou", "main", "--at", folder.path("runs/never.csv") + ":1"});
+  const std::string drawn = run({"show", file, "--pou", "main", "--svg", "--at", folder.path("runs/never.csv") + ":1"});
+  EXPECT_NE(drawn.find("<rect class=\"rb on\""), std::string::npos) << drawn;
+  EXPECT_NE(drawn.find("q(D, T#2s)</text>"), std::string::npos) << drawn;
   EXPECT_NE(lit.find("    [[A]]\n      | 2: x => (B, C)\n  * [B]"), std::string::npos) << lit;
 }
 
