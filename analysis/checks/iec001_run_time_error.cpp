@@ -22,7 +22,11 @@ extern constexpr Rule iec001_run_time_error = {
     .why =
         "the standard calls it an error: some controllers stop, some go on with any value or with another variable's",
     .dialects = dialect::Iec,
-    .ask = {.in = asked::Builtin, .turn = 30, .cost = 1, .whenNone = "no error at run time can happen", .hazards = iec001Hazards},
+    .ask = {.in = asked::Builtin,
+            .turn = 30,
+            .cost = 1,
+            .whenNone = "no error at run time can happen",
+            .hazards = iec001Hazards},
     .tell = {.advice = "ask first, or limit the value"},
 };
 

@@ -81,7 +81,7 @@ void checkIec005(const Facts& facts, FindingSink& sink) {
   const iec::ProjectSyntax* project = facts.program().syntax.get();
   if (project == nullptr) return;
   iec::eachOwnBlock(*project, [&](const iec::BlockSyntax& block) {
-    if (block.kind != iec::BlockKind::Function || block.result == nullptr) return;
+    if (block.kind != iec::BlockKind::Function || block.result == nullptr || iec::isList(block.body)) return;
     ResultPaths paths(block.name);
     const std::optional<bool> end = paths.list(block.body, false);
     if (end.value_or(true) && paths.leftAt() == nullptr) return;

@@ -112,8 +112,9 @@ void checkIec006(const Facts& facts, FindingSink& sink) {
   const iec::ProjectSyntax* project = facts.program().syntax.get();
   if (project == nullptr) return;
   const iec::VariableUses uses(*project);
-  iec::eachOwnBlock(*project,
-                    [&](const iec::BlockSyntax& block) { OverwrittenValues(uses, block, sink).list(block.body); });
+  iec::eachOwnBlock(*project, [&](const iec::BlockSyntax& block) {
+    iec::eachBody(block, [&](const iec::Statements& body) { OverwrittenValues(uses, block, sink).list(body); });
+  });
 }
 
 }  // namespace

@@ -73,7 +73,9 @@ void checkIec008(const Facts& facts, FindingSink& sink) {
     if (!isEdge && !isTimer) continue;
     std::vector<InstanceCall> calls;
     BranchPath path;
-    collectCalls(row.block->body, iec::foldedName(row.variable->name), path, calls);
+    iec::eachBody(*row.block, [&](const iec::Statements& body) {
+      if (!iec::isList(body)) collectCalls(body, iec::foldedName(row.variable->name), path, calls);
+    });
     for (std::size_t i = 1; i < calls.size(); ++i) {
       const auto before = std::find_if(calls.begin(), calls.begin() + static_cast<std::ptrdiff_t>(i),
                                        [&](const InstanceCall& call) { return canBothRun(call.path, calls[i].path); });

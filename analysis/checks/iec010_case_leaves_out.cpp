@@ -27,7 +27,7 @@ void checkIec010(const Facts& facts, FindingSink& sink) {
   if (project == nullptr) return;
   const iec::VariableUses uses(*project);
   iec::eachOwnBlock(*project, [&](const iec::BlockSyntax& block) {
-    iec::eachStatement(block.body, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {
+    iec::eachWrittenStatement(block, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {
       if (one.kind != iec::StatementKind::Case || one.hasElse || one.value == nullptr) return;
       const iec::TypeSyntax* type = enumerationOf(uses, block, *one.value);
       if (type == nullptr) return;

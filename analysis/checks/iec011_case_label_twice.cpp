@@ -43,7 +43,7 @@ void checkIec011(const Facts& facts, FindingSink& sink) {
   const iec::ProjectSyntax* project = facts.program().syntax.get();
   if (project == nullptr) return;
   iec::eachOwnBlock(*project, [&](const iec::BlockSyntax& block) {
-    iec::eachStatement(block.body, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {
+    iec::eachWrittenStatement(block, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {
       if (one.kind != iec::StatementKind::Case) return;
       std::vector<const iec::CaseLabel*> before;
       for (const iec::Branch& branch : one.branches) {

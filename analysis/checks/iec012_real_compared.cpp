@@ -58,7 +58,7 @@ void checkIec012(const Facts& facts, FindingSink& sink) {
   if (project == nullptr) return;
   const iec::VariableUses uses(*project);
   iec::eachOwnBlock(*project, [&](const iec::BlockSyntax& block) {
-    iec::eachStatement(block.body, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {
+    iec::eachWrittenStatement(block, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {
       iec::eachExpression(one, [&](const iec::Expr& expr) {
         if (expr.kind != iec::ExprKind::Binary || (expr.text != "=" && expr.text != "<>") || expr.operands.size() != 2)
           return;

@@ -26,7 +26,7 @@ void checkIec013(const Facts& facts, FindingSink& sink) {
   const iec::VariableUses uses(*project);
   constexpr std::string_view operators[] = {"=", "<>", "<", "<=", ">", ">=", "AND", "&", "OR", "XOR", "-", "/", "MOD"};
   iec::eachOwnBlock(*project, [&](const iec::BlockSyntax& block) {
-    iec::eachStatement(block.body, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {
+    iec::eachWrittenStatement(block, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {
       iec::eachExpression(one, [&](const iec::Expr& expr) {
         if (expr.kind != iec::ExprKind::Binary || expr.operands.size() != 2) return;
         if (std::ranges::find(operators, expr.text) == std::end(operators)) return;

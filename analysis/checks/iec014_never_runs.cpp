@@ -23,7 +23,7 @@ void checkIec014(const Facts& facts, FindingSink& sink) {
     sink.report(span, std::move(message)).help = "remove the statements, or the condition in front of them";
   };
   iec::eachOwnBlock(*project, [&](const iec::BlockSyntax& block) {
-    iec::eachStatement(block.body, [&](const iec::Statement& one, const iec::Statements& list, std::size_t index) {
+    iec::eachWrittenStatement(block, [&](const iec::Statement& one, const iec::Statements& list, std::size_t index) {
       using enum iec::StatementKind;
       const bool leaves = one.kind == Return || one.kind == Exit || one.kind == Continue;
       if (leaves && index + 1 < list.size())

@@ -17,7 +17,7 @@ void checkIec015(const Facts& facts, FindingSink& sink) {
     return isName ? iec::foldedName(path->parts[0].name) : std::string();
   };
   iec::eachOwnBlock(*project, [&](const iec::BlockSyntax& block) {
-    iec::eachStatement(block.body, [&](const iec::Statement& loop, const iec::Statements&, std::size_t) {
+    iec::eachWrittenStatement(block, [&](const iec::Statement& loop, const iec::Statements&, std::size_t) {
       const std::string counter = loop.kind == iec::StatementKind::For ? nameOf(loop.target.get()) : "";
       if (counter.empty()) return;
       iec::eachStatement(loop.otherwise, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {

@@ -71,7 +71,7 @@ void checkIec017(const Facts& facts, FindingSink& sink) {
       if (variable.initial != nullptr && variable.initial->value != nullptr && isDuration(*variable.initial->value))
         literals.push_back(variable.initial->value.get());
     }
-    iec::eachStatement(block.body, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {
+    iec::eachWrittenStatement(block, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {
       iec::eachExpression(one, [&](const iec::Expr& expr) {
         if (isDuration(expr)) literals.push_back(&expr);
       });

@@ -35,7 +35,7 @@ void checkIec019(const Facts& facts, FindingSink& sink) {
   for (const iec::VariableSyntax& global : project->globals) ofType(global.type.get());
   for (const iec::BlockSyntax& block : project->blocks) {
     for (const iec::VariableSyntax& variable : block.variables) ofType(variable.type.get());
-    iec::eachStatement(block.body, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {
+    iec::eachStatementOf(block, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {
       iec::eachExpression(one, [&](const iec::Expr& expr) {
         if (expr.kind == iec::ExprKind::Call && !expr.parts.empty() &&
             iec::foldedName(expr.parts[0].name) != iec::foldedName(block.name))

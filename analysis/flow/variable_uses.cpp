@@ -69,6 +69,7 @@ class VariableUses::Walk {
       case StatementKind::Call:
         if (one.target != nullptr) call(*one.target, &one);
         break;
+      case StatementKind::Line: line(one); return;
       default:
         if (one.target != nullptr) place(*one.target, true, true);  // the counter of FOR
         for (const ExprPtr* part : {&one.value, &one.last, &one.by}) {
@@ -84,6 +85,19 @@ class VariableUses::Walk {
       statements(branch.body);
     }
     statements(one.otherwise);
+  }
+
+  void line(const Statement& one) {
+    const std::string& op = one.line->op;
+    const bool isStore = op == "ST", isLatch = op == "S" || op == "R";
+    for (const Argument& operand : one.line->operands) {
+      if (operand.value == nullptr) continue;
+      if (op == "CAL" && operand.value->kind == ExprKind::Call) {
+        call(*operand.value, &one);
+      } else {
+        place(*operand.value, !isStore && !isLatch, isStore || isLatch || operand.isOutput);
+      }
+    }
   }
 
   void value(const Expr& expr) {
@@ -145,6 +159,8 @@ VariableUses::VariableUses(const ProjectSyntax& project) : project_(project) {
   for (const BlockSyntax& block : project.blocks) blocks_.emplace(foldedName(block.name), &block);
   for (const NamedType& type : project.types) types_.emplace(foldedName(type.name), &type);
   const auto declare = [&](const BlockSyntax* block, const VariableSyntax& variable) {
+    const bool isHidden = variable.type != nullptr && variable.type->name.starts_with("__");  // steps of a chart
+    if (isHidden || variable.name.starts_with("__")) return;
     if (byName_.emplace(Key{block, foldedName(variable.name)}, rows_.size()).second)
       rows_.push_back({block, &variable, {}});
   };
@@ -152,7 +168,10 @@ VariableUses::VariableUses(const ProjectSyntax& project) : project_(project) {
     for (const VariableSyntax& variable : block.variables) declare(&block, variable);
   });
   for (const VariableSyntax& variable : project.globals) declare(nullptr, variable);
-  eachOwnBlock(project, [&](const BlockSyntax& block) { Walk(*this, &block).statements(block.body); });
+  eachOwnBlock(project, [&](const BlockSyntax& block) {
+    Walk(*this, &block).statements(block.body);
+    for (const ActionSyntax& action : block.actions) Walk(*this, &block).statements(action.body);
+  });
   for (const InstanceSyntax& instance : project.instances) {
     if (instance.connections != nullptr) Walk(*this, nullptr).call(*instance.connections, nullptr);
   }
@@ -233,6 +252,29 @@ void eachStatement(const Statements& list,
   }
 }
 
+void eachStatementOf(const BlockSyntax& block,
+                     const std::function<void(const Statement&, const Statements&, std::size_t)>& visit) {
+  eachStatement(block.body, visit);
+  for (const ActionSyntax& action : block.actions) eachStatement(action.body, visit);
+}
+
+void eachWrittenStatement(const BlockSyntax& block,
+                          const std::function<void(const Statement&, const Statements&, std::size_t)>& visit) {
+  eachBody(block, [&](const Statements& body) { eachStatement(body, visit); });
+}
+
+void eachBody(const BlockSyntax& block, const std::function<void(const Statements&)>& visit) {
+  const auto isMade = [](const Statement& one) { return !one.picture.empty(); };
+  if (std::ranges::none_of(block.body, isMade)) visit(block.body);
+  for (const ActionSyntax& action : block.actions) {
+    if (!action.isChart && !action.isCondition) visit(action.body);
+  }
+}
+
+bool isList(const Statements& body) {
+  return std::ranges::any_of(body, [](const Statement& one) { return one.kind == StatementKind::Line; });
+}
+
 void eachPart(const Expr& expr, const std::function<void(const Expr&)>& visit) {
   visit(expr);
   for (const ExprPtr& operand : expr.operands) {
@@ -251,6 +293,11 @@ void eachPart(const Expr& expr, const std::function<void(const Expr&)>& visit) {
 void eachExpression(const Statement& statement, const std::function<void(const Expr&)>& visit) {
   for (const ExprPtr* part : {&statement.target, &statement.value, &statement.last, &statement.by}) {
     if (*part != nullptr) eachPart(**part, visit);
+  }
+  if (statement.line != nullptr) {
+    for (const Argument& operand : statement.line->operands) {
+      if (operand.value != nullptr) eachPart(*operand.value, visit);
+    }
   }
   for (const Branch& branch : statement.branches) {
     if (branch.condition != nullptr) eachPart(*branch.condition, visit);
@@ -281,7 +328,7 @@ void eachOwnBlock(const ProjectSyntax& project, const std::function<void(const B
   for (const BlockSyntax& block : project.blocks) {
     bool isRead = !block.isLibrary && block.isWhole && block.unread.empty();
     if (isRead) {
-      eachStatement(block.body, [&](const Statement& one, const Statements&, std::size_t) {
+      eachStatementOf(block, [&](const Statement& one, const Statements&, std::size_t) {
         isRead = isRead && one.kind != StatementKind::Unread;
       });
     }

@@ -69,6 +69,16 @@ class VariableUses {
 /// Calls visit(statement, list, index) for every statement, those inside others too; `list` holds it.
 void eachStatement(const Statements& list,
                    const std::function<void(const Statement&, const Statements&, std::size_t)>& visit);
+/// The same for the body of a block and its actions: `eachStatementOf` for all, `eachWrittenStatement` without what was
+/// made of a chart.
+void eachStatementOf(const BlockSyntax& block,
+                     const std::function<void(const Statement&, const Statements&, std::size_t)>& visit);
+void eachWrittenStatement(const BlockSyntax& block,
+                          const std::function<void(const Statement&, const Statements&, std::size_t)>& visit);
+/// Calls visit(statements) for the body of a block and for its actions, without what was made of a chart.
+void eachBody(const BlockSyntax& block, const std::function<void(const Statements&)>& visit);
+/// Whether a body is written in IL.
+bool isList(const Statements& body);
 /// Calls visit(expression) for every expression of a statement without those of the statements inside it.
 void eachExpression(const Statement& statement, const std::function<void(const Expr&)>& visit);
 /// The same for an expression and all its parts.

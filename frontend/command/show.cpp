@@ -6,10 +6,12 @@
 #include <charconv>
 #include <chrono>
 #include <memory>
+#include <set>
 
 #include "engine/instruction_recorder.hpp"
 #include "engine/stimulus.hpp"
 #include "frontend/command.hpp"
+#include "ir/iec/syntax.hpp"
 #include "frontend/input/program_input.hpp"
 #include "frontend/linting/lint_run.hpp"
 #include "frontend/picture/network_view.hpp"
@@ -17,6 +19,7 @@
 #include "frontend/simulation/trace_file.hpp"
 #include "frontend/step7/source_writer.hpp"
 #include "frontend/stl/stl_lexer.hpp"
+#include "ir/iec/cpu.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/cpu.hpp"
 
@@ -70,6 +73,71 @@ std::optional<LitScan> scanNamed(const std::string& text) {
   const char* const end = text.data() + text.size();
   const auto [next, error] = std::from_chars(text.data() + colon + 1, end, lit.scan);
   return error == std::errc() && next == end && lit.scan > 0 ? std::optional(lit) : std::nullopt;
+}
+
+/// Whether the line of a transition, `x => (A, B)`, leads to the step.
+bool leadsTo(std::string_view transition, std::string_view step) {
+  constexpr std::string_view ends = " ,()>";
+  for (std::size_t at = transition.rfind('>'); at < transition.size(); ++at) {
+    at = transition.find(step, at);
+    if (at == std::string_view::npos) return false;
+    const std::size_t end = at + step.size();
+    if (ends.find(transition[at - 1]) != ends.npos &&
+        (end == transition.size() || ends.find(transition[end]) != ends.npos))
+      return true;
+  }
+  return false;
+}
+
+/// A chart as a picture, from the lines that show it as text: steps below each other, at their right what they do, and
+/// on the line that leaves a step its transitions as bars. `isLit`: stars mark the active steps.
+Picture chartPicture(const std::vector<std::string>& lines, bool isLit) {
+  constexpr int left = 2, boxHeight = 3, middle = left + 6;
+  Picture picture;
+  const auto wire = [&](int x0, int y0, int x1, int y1) {
+    picture.wires.push_back({x0, y0, x1, y1, 0, Flow3::Unknown});
+  };
+  const auto label = [&](LabelRole role, int x, int y, std::string text) {
+    picture.width = std::max(picture.width, x + static_cast<int>(text.size()) + 1);
+    picture.labels.push_back({role, -1, x, y, std::move(text)});
+  };
+  int row = 0, below = -1;  // where the line of the step above begins
+  std::vector<std::string> leaving;
+  for (const std::string& line : lines) {
+    const bool isActive = isLit && line.starts_with("* ");
+    const std::string text(trimmed(std::string_view(line).substr(isLit ? 2 : 0)));
+    if (text.starts_with("| ")) {
+      wire(middle - 2, row, middle + 2, row);
+      label(LabelRole::Symbol, middle + 4, row, text.substr(2));
+      wire(middle, below, middle, row);
+      leaving.push_back(text);
+      row += 2;
+      continue;
+    }
+    const bool isInitial = text.starts_with("[[");
+    const std::size_t end = text.find(']');
+    const std::string name = text.substr(isInitial ? 2 : 1, end - (isInitial ? 2 : 1));
+    const int width = std::max(static_cast<int>(name.size()) + 4, 13);
+    if (below >= 0) ++row;
+    if (std::ranges::any_of(leaving, [&](const std::string& one) { return leadsTo(one, name); }))
+      wire(middle, below, middle, row);
+    leaving.clear();
+    const Flow3 state = !isLit ? Flow3::Unknown : isActive ? Flow3::On : Flow3::Off;
+    if (isInitial) {
+      picture.symbols.push_back({SymbolKind::Box, -1, left - 1, row, width + 2, boxHeight + 2, "", state});
+      ++row;
+    }
+    picture.symbols.push_back({SymbolKind::Box, -1, left, row, width, boxHeight, "", state});
+    label(LabelRole::BoxName, left + 2, row + 1, name);
+    const std::size_t actions = text.find_first_not_of("] ", end);
+    if (actions != std::string::npos) label(LabelRole::Note, left + width + 3, row + 1, text.substr(actions));
+    row += boxHeight + (isInitial ? 1 : 0);
+    below = row - 1;
+    ++row;
+  }
+  picture.height = row;
+  picture.width = std::max(picture.width, 40);
+  return picture;
 }
 
 class Show {
@@ -147,7 +215,12 @@ class Show {
       if (options.form == Form::Stl && pou.type != BlockType::None)
         block.declarations = step7::declarationLines(program, pou);
       for (const Network& network : pou.networks) {
-        if (isWanted(network)) block.networks.push_back(networkView(program, pou, network, options));
+        if (!isWanted(network) || isHidden(program, network)) continue;
+        block.networks.push_back(networkView(program, pou, network, options));
+        NetworkView& view = block.networks.back();
+        if (!isIec(program.target) || view.statements.empty() || !view.statements[0].starts_with("[")) continue;
+        if (lit_) markSteps(pou, view);
+        if (isSvg_) view.picture = chartPicture(std::exchange(view.statements, {}), lit_.has_value());
       }
       if (!block.networks.empty()) blocks.push_back(std::move(block));
     }
@@ -159,6 +232,21 @@ class Show {
              return equalsIgnoringCase(name, pou.name) ||
                     (pou.type != BlockType::None && equalsIgnoringCase(name, blockName(pou.number)));
            });
+  }
+  /// What a chart does and its text does not say.
+  static bool isHidden(const Program& program, const Network& network) {
+    return isIec(program.target) && network.complete && network.span.length == 0;
+  }
+  /// A star at the steps of a chart that are active at the end of the scan.
+  void markSteps(const Pou& pou, NetworkView& view) const {
+    for (std::string& line : view.statements) {
+      const std::size_t first = line.find_first_not_of('['), end = line.find(']');
+      const bool isStep = line.starts_with("[") && end != std::string::npos && first < end;
+      const bool isActive =
+          isStep &&
+          activeSteps_.contains(iec::foldedName(fmt::format("{}.{}.X", pou.name, line.substr(first, end - first))));
+      line.insert(0, isActive ? "* " : "  ");
+    }
   }
   bool isWanted(const Network& network) const {
     return ranges_.empty() || std::ranges::any_of(ranges_, [&](const NumberRange& range) {
@@ -209,6 +297,10 @@ class Show {
       recorder.beginScan(simulator.scanCount() + 1 == lit_->scan);
       simulator.scan(player.next());
     }
+    for (const Symbol& symbol : program.symbols) {
+      if (isIec(program.target) && symbol.name.ends_with(".X") && simulator.read(symbol.address) != 0)
+        activeSteps_.insert(iec::foldedName(symbol.name));
+    }
     return true;
   }
 
@@ -219,6 +311,7 @@ class Show {
   bool isFound_ = false;
   std::vector<NumberRange> ranges_;
   std::optional<LitScan> lit_;
+  std::set<std::string> activeSteps_;  ///< "MAIN.FILL.X"
   std::vector<Failure> failures_;
 };
 
@@ -248,7 +341,7 @@ extern constexpr Command showCommand = {
         "A network that has no picture in the wanted form is shown as STL with the reason. Findings of lint are\n"
         "marked below the element they are about. With --at the program runs with the trace as stimulus: wires\n"
         "with power are heavy (in ASCII '='), closed contacts and energised coils are filled, and values stand\n"
-        "behind the addresses.\n"
+        "behind the addresses. Active steps of a chart have a star.\n"
         "\n"
         "Examples:\n"
         "    rungproof show press.awl\n"

@@ -134,7 +134,8 @@ void Lowering::guardCall(Scope& scope, const Expr& call) {
     body = block->second;
   if (body == nullptr || body->isLibrary) return;
   bool faults = false;
-  eachStatement(body->body, [&](const Statement& one, const Statements&, std::size_t) {
+  eachStatementOf(*body, [&](const Statement& one, const Statements&, std::size_t) {
+    faults = faults || one.kind == StatementKind::Line;
     eachExpression(one, [&](const Expr& expr) { faults = faults || mayFault(expr); });
   });
   if (faults) refuse(call.span, "a call in __TRY whose body may fault is not modelled", Syntax::IecNotModelled);

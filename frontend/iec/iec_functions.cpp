@@ -231,7 +231,9 @@ const Type* Lowering::ownFunction(Scope& scope, BlockInstance& function, const E
     given[at] = &argument;
   }
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    const Variable& formal = function.names.at(foldedName(inputs[i]->name));
+    const auto declared = function.names.find(foldedName(inputs[i]->name));
+    if (declared == function.names.end()) throw Refused{};  // its declaration was not understood, which is told there
+    const Variable& formal = declared->second;
     if (inputs[i]->section == Section::InOut) {
       if (given[i] == nullptr || given[i]->value->kind != ExprKind::Path) refuse(expr.span, "IN_OUT needs a variable");
       const Reference actual = reference(scope, *given[i]->value);
@@ -254,7 +256,9 @@ const Type* Lowering::ownFunction(Scope& scope, BlockInstance& function, const E
   }
   for (std::size_t i = inputs.size(); i-- > 0;) {
     if (inputs[i]->section == Section::InOut) continue;
-    const Variable& formal = function.names.at(foldedName(inputs[i]->name));
+    const auto declared = function.names.find(foldedName(inputs[i]->name));
+    if (declared == function.names.end()) throw Refused{};  // its declaration was not understood, which is told there
+    const Variable& formal = declared->second;
     store(*formal.type, formal.offset);
   }
   runBody(scope, function, inner, expr.span);
@@ -269,10 +273,15 @@ const Type* Lowering::ownFunction(Scope& scope, BlockInstance& function, const E
 const Type* Lowering::standardCall(Scope& scope, const std::string& name, const Expr& expr, const Type* wanted) {
   const Type& boolean = *elementaryType("BOOL");
   if (name == "__READING") {
-    const std::string key = expr.arguments[0].value->text, reading = expr.arguments[1].value->text;
+    std::vector<std::string> texts;
+    for (const Argument& argument : expr.arguments) {
+      const bool isText = argument.value != nullptr && argument.value->kind == ExprKind::Text;
+      if (isText && argument.value->text.size() > 1)
+        texts.push_back(argument.value->text.substr(1, argument.value->text.size() - 2));
+    }
     Choices known;
-    CHECK(known.set(key.substr(1, key.size() - 2), reading.substr(1, reading.size() - 2)),
-          "the choice has that reading");
+    if (texts.size() != 2 || !known.set(texts[0], texts[1]))
+      refuse(expr.span, "__READING takes the name of a choice and one of its readings");
     for (const ChoiceInfo& info : choiceTable) {
       if (known.isChosen(info.choice)) emit("READING", {static_cast<std::int64_t>(info.choice), known[info.choice]});
     }

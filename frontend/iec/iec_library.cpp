@@ -137,6 +137,15 @@ M := IN;
 END_FUNCTION_BLOCK
 )";
 
+/// A step of a chart: T is the time since its activation and keeps its value behind it, CLOCK the same as far as it is
+/// compared with constants, WAS its X of the scan before. The machine lets the time pass (PASS).
+constexpr std::string_view steps = R"(
+FUNCTION_BLOCK __STEP
+VAR_OUTPUT X : BOOL; T : TIME; END_VAR
+VAR CLOCK : TIME; WAS : BOOL; END_VAR
+END_FUNCTION_BLOCK
+)";
+
 constexpr std::string_view regulation = R"(
 FUNCTION_BLOCK HYSTERESIS
 VAR_INPUT XIN1, XIN2, EPS : REAL; END_VAR
@@ -163,6 +172,7 @@ void addStandardBlocks(Program& program, ProjectSyntax& project) {
                              {"_UINT", "UINT", "65535", "0"}})
     text += fmt::format(fmt::runtime(counters), width.suffix, width.type, width.greatest, width.least);
   text += timers;
+  text += steps;
   text += regulation;
   const std::uint32_t file = program.sources->add("blocks of IEC 61131-3", text);
   SyntaxSink sink(program, file);

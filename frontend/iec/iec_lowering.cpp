@@ -36,8 +36,8 @@ void Lowering::run() {
     asksEnabled_ = asksEnabled_ || (expr.parts.size() > 1 && foldedName(expr.parts.back().name) == "ENO");
   };
   for (const BlockSyntax& block : project_.blocks) {
-    eachStatement(block.body,
-                  [&](const Statement& one, const Statements&, std::size_t) { eachExpression(one, asksEnabled); });
+    eachStatementOf(block,
+                    [&](const Statement& one, const Statements&, std::size_t) { eachExpression(one, asksEnabled); });
   }
   declareGlobals();
   makePrograms();
@@ -105,6 +105,8 @@ Variable Lowering::makeVariable(const VariableSyntax& syntax, const std::string&
   const std::string full = path.empty() ? syntax.name : path + "." + syntax.name;
   if (made.type->kind == Kind::Block) {
     made.instance = makeInstance(*made.type->block, full);
+    if (made.type->block->isLibrary && made.type->block->name == "__STEP")
+      steps_.emplace_back(made.instance, syntax.longestClock);
     if (initial != nullptr && initial->isStructure) {
       for (const auto& [field, value] : initial->fields) {
         const auto member = made.instance->names.find(foldedName(field));
@@ -225,10 +227,11 @@ BlockInstance* Lowering::makeInstance(const BlockSyntax& block, std::string path
       }
       if (variable.section == Section::InOut) {
         made.hasInOut = true;
-        Variable& formal = made.names[name];
+        Variable formal;
         formal.type = types_.resolve(*variable.type);
         formal.declared = &variable;
         if (formal.type == nullptr) throw Refused{};
+        made.names[name] = formal;
         continue;
       }
       if (!made.names.emplace(name, makeVariable(variable, made.path)).second)
@@ -293,11 +296,18 @@ void Lowering::freshLocals(Scope& scope) {
 
 /// All that a statement may write which was not lowered; nothing: it may write anything.
 std::optional<Operands> Lowering::writtenBy(Scope& scope, const Statement& one) {
-  if (one.kind != StatementKind::Assign || calls(*one.value)) return std::nullopt;
+  if (one.kind == StatementKind::Line) return writtenByLine(scope, one);
+  const bool isBounded = one.kind == StatementKind::Assign ? !calls(*one.value) : one.kind == StatementKind::Unread;
+  return isBounded && one.target != nullptr ? placesOf(scope, *one.target) : std::nullopt;
+}
+
+/// The places of a variable; nothing if they are not known.
+std::optional<Operands> Lowering::placesOf(Scope& scope, const Expr& path) {
+  if (path.kind != ExprKind::Path) return std::nullopt;
   const std::size_t before = program_.findings.size();
   std::optional<Operands> written;
   try {
-    const Reference target = reference(scope, *one.target);
+    const Reference target = reference(scope, path);
     if (target.indices.empty() && target.type->isValue() && !target.constant) {
       Operands& places = written.emplace();
       for (std::uint32_t i = 0; i < target.type->bytes; ++i)
@@ -310,6 +320,38 @@ std::optional<Operands> Lowering::writtenBy(Scope& scope, const Statement& one) 
 }
 
 void Lowering::makeRoutine(BlockInstance& instance) {
+  instance.routine = nextRoutine_++;
+  instance.isOpen = true;
+  Pou pou;
+  pou.name = instance.path;
+  pou.number = instance.routine;
+  pou.span = instance.block->span;
+  pou.isBuiltIn = instance.block->isLibrary;
+  Scope scope;
+  scope.self = &instance;
+  writeRoutine(std::move(pou), scope, instance.block->body);
+  for (const ActionSyntax& action : instance.block->actions) {  // one that nobody calls is made so that it is checked
+    if (!instance.hasInOut && !instance.actions.contains(foldedName(action.name))) makeAction(instance, action);
+  }
+  instance.isOpen = false;
+}
+
+void Lowering::makeAction(BlockInstance& instance, const ActionSyntax& action) {
+  Pou pou;
+  pou.name = fmt::format("{}.{}", instance.path, action.name);
+  pou.number = instance.actions[foldedName(action.name)] = nextRoutine_++;
+  pou.span = action.span;
+  Scope scope;
+  scope.self = &instance;
+  scope.action = &action;
+  openActions_.insert(&action);
+  writeRoutine(std::move(pou), scope, action.body);
+  openActions_.erase(&action);
+}
+
+/// Each statement is a network, so that what cannot be lowered spares the others.
+void Lowering::writeRoutine(Pou pou, Scope& scope, const Statements& body) {
+  const BlockInstance& instance = *scope.self;
   Network* const outer = network_;
   const Span at = span_;
   const int labels = std::exchange(nextLabel_, 0);
@@ -317,17 +359,8 @@ void Lowering::makeRoutine(BlockInstance& instance) {
   for (const auto& [name, variable] : instance.names) {
     if (variable.constant) types_.constants[name] = *variable.constant;
   }
-  instance.routine = nextRoutine_++;
-  instance.isOpen = true;
-  Pou pou;
   pou.kind = PouKind::Subroutine;
-  pou.name = instance.path;
-  pou.number = instance.routine;
-  pou.span = instance.block->span;
-  pou.isBuiltIn = instance.block->isLibrary;
   pou.isInstance = true;
-  Scope scope;
-  scope.self = &instance;
   const auto write = [&](Span span, auto&& make) {
     Network network;
     network.number = static_cast<int>(pou.networks.size()) + 1;
@@ -344,23 +377,36 @@ void Lowering::makeRoutine(BlockInstance& instance) {
     sink_.setPlace("", 0);
     if (!network.complete || !network.instructions.empty()) pou.networks.push_back(std::move(network));
   };
-  write(instance.block->span, [&] {
-    if (!instance.block->isWhole) throw Refused{};
-    freshLocals(scope);
-  });
-  if (!instance.block->unread.empty()) {
+  if (scope.action == nullptr) {
     write(instance.block->span, [&] {
-      refuse(instance.block->span,
-             fmt::format("the body of {} is written in {}, which is not read yet", instance.block->name,
-                         instance.block->unread),
-             Syntax::IecNotModelled);
+      if (!instance.block->isWhole) throw Refused{};
+      freshLocals(scope);
     });
+    if (!instance.block->unread.empty()) {
+      write(instance.block->span, [&] {
+        refuse(instance.block->span,
+               fmt::format("the body of {} is written in {}, which is not read yet", instance.block->name,
+                           instance.block->unread),
+               Syntax::IecNotModelled);
+      });
+    }
   }
-  for (const Statement& one : instance.block->body) {
-    write(one.span, [&] { statement(scope, one); });
+  beginList(scope, body);
+  for (const Statement& one : body) {
+    if (one.kind == StatementKind::Line) {
+      if (!one.line->label.empty())
+        write(Span{one.span.file, one.span.offset, 0}, [&] { listLabel(scope, *one.line); });
+      write(one.span, [&] { listLine(scope, one); });
+    } else {
+      write(one.span, [&] { statement(scope, one); });
+    }
+    if (!one.picture.empty() && !pou.networks.empty()) {
+      const std::uint32_t file = program_.sources->add(fmt::format("chart of {}", pou.name), one.picture);
+      pou.networks.back().span = {file, 0, static_cast<std::uint32_t>(one.picture.size())};
+    }
     if (!pou.networks.empty() && !pou.networks.back().complete) pou.networks.back().mayWrite = writtenBy(scope, one);
   }
-  instance.isOpen = false;
+  endList(scope);
   program_.pous.push_back(std::move(pou));
   network_ = outer;
   span_ = at;

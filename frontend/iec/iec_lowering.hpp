@@ -36,6 +36,7 @@ struct BlockInstance {
   std::optional<std::int64_t> longestPreset = 0;
   bool isCalled = false;
   std::optional<std::uint32_t> enabled;  ///< place of ENO, where the project reads it as a part of an instance
+  std::map<std::string, int> actions;    ///< numbers of their subroutines
 };
 
 /// A place: a variable, or elements of it by computed indices.
@@ -63,6 +64,7 @@ class Lowering {
  private:
   /// Thrown where a statement cannot be lowered; its network is left out.
   struct Refused {};
+  struct ListState;
   /// A block that is being written.
   struct Scope {
     BlockInstance* self = nullptr;
@@ -71,6 +73,8 @@ class Lowering {
     int returnLabel = -1;                    ///< of a body that is written out; -1: RET
     int faultLabel = -1;                     ///< where a fault in what is tried goes on; -1: it ends the scan
     Scope* caller = nullptr;
+    std::shared_ptr<ListState> list;  ///< of a body in IL
+    const ActionSyntax* action = nullptr;
   };
 
   // iec_lowering.cpp
@@ -87,9 +91,11 @@ class Lowering {
   void nameVariable(const std::string& name, const Variable& variable, const std::string& alias);
   void nameValue(const std::string& name, const Type& type, std::uint32_t offset, const std::string& alias);
   void makeRoutine(BlockInstance& instance);
+  void makeAction(BlockInstance& instance, const ActionSyntax& action);
+  void writeRoutine(Pou pou, Scope& scope, const Statements& body);
   std::optional<Operands> writtenBy(Scope& scope, const Statement& one);
+  std::optional<Operands> placesOf(Scope& scope, const Expr& target);
   static bool calls(const Expr& expr);
-  void body(Scope& scope, const BlockSyntax& block);
   void freshLocals(Scope& scope);
   void chooseMachine();
   void error(Syntax code, Span span, std::string message);
@@ -134,6 +140,7 @@ class Lowering {
   void caseLabel(const CaseLabel& label, const Type& type, std::uint32_t selector);
   void forLoop(Scope& scope, const Statement& statement);
   void callStatement(Scope& scope, const Expr& call);
+  void callAction(Scope& scope, const ActionSyntax& action, Span span);
   void callInstance(Scope& scope, BlockInstance& instance, const Expr& call);
   void bindInputs(Scope& scope, BlockInstance& instance, const Expr& call, Scope& inner);
   void readOutputs(Scope& scope, BlockInstance& instance, const Expr& call);
@@ -144,6 +151,25 @@ class Lowering {
   void guardFaults(Scope& scope, const Statement& statement);
   void guardDivisions(Scope& scope, const Expr& expr);
   void guardCall(Scope& scope, const Expr& call);
+
+  // iec_list.cpp
+  void beginList(Scope& scope, const Statements& body);
+  void endList(Scope& scope);
+  void listLabel(Scope& scope, const ListLine& line);
+  void listLine(Scope& scope, const Statement& statement);
+  void listOperation(Scope& scope, const Statement& statement);
+  void listJump(Scope& scope, const Statement& statement);
+  void listCall(Scope& scope, const Statement& statement);
+  void listFunction(Scope& scope, const Statement& statement);
+  void loadResult(Scope& scope, const Expr& value);
+  void combineResult(Scope& scope, const std::string& op, ExprPtr left, ExprPtr right, Span span);
+  static void loseResult(Scope& scope);
+  ExprPtr currentResult(Scope& scope, Span span);
+  ExprPtr heldValue(Scope& scope, const Expr& value, int depth);
+  void jumpUnlessResult(Scope& scope, bool isNegated, Span span, int label);
+  void carryResult(Scope& scope, const std::string& label, Span span);
+  std::optional<Operands> writtenByLine(Scope& scope, const Statement& one);
+  bool isInstanceNamed(Scope& scope, const Expr& expr);
 
   // iec_expressions.cpp
   Reference reference(Scope& scope, const Expr& path, bool mayBeMissing = false);
@@ -198,6 +224,8 @@ class Lowering {
   std::vector<ProgramRun> runs_;  ///< parallel to programs_
   std::vector<BlockInstance*> programs_;
   std::vector<BlockInstance*> timers_;
+  std::vector<std::pair<BlockInstance*, std::int64_t>> steps_;  ///< of charts, with VariableSyntax::longestClock
+  std::set<const ActionSyntax*> openActions_;
   std::map<std::string, std::uint32_t> places_;  ///< by address in capitals
   std::vector<std::pair<std::string, std::uint32_t>> addressNames_;
   struct Freed {

@@ -46,6 +46,7 @@ void Lowering::nameVariable(const std::string& name, const Variable& variable, c
       const auto found = instance.names.find(foldedName(member.name));
       if (found == instance.names.end() || member.section == Section::External || member.section == Section::InOut)
         continue;
+      if (instance.block->isLibrary && instance.block->name == "__STEP" && member.section != Section::Output) continue;
       nameVariable(at + "." + member.name, found->second, other + "." + member.name);
     }
   };

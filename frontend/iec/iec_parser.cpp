@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "frontend/iec/iec_statement_parser.hpp"
+#include "frontend/iec/iec_chart_parser.hpp"
 
 namespace rungproof::iec {
 
@@ -48,10 +48,10 @@ std::optional<std::int64_t> millisecondsOf(std::string_view text) {
 
 namespace {
 
-class ProjectParser : private StatementParser {
+class ProjectParser : private ChartParser {
  public:
   ProjectParser(const SourceText& source, SyntaxSink& sink, ProjectSyntax& project)
-      : StatementParser(source, sink, project.directives), project_(project) {}
+      : ChartParser(source, sink, project.directives), project_(project) {}
 
   void run() {
     while (!isEnd()) {
@@ -69,10 +69,6 @@ class ProjectParser : private StatementParser {
   }
 
  private:
-  bool beginsDeclaration() const {
-    return isAny({"TYPE", "FUNCTION", "FUNCTION_BLOCK", "PROGRAM", "CONFIGURATION", "VAR_GLOBAL"});
-  }
-
   void declaration() {
     if (accept(";")) return;
     if (accept("TYPE")) return types();
@@ -267,15 +263,10 @@ class ProjectParser : private StatementParser {
       }
       while (peek().kind == TokenKind::Word && foldedName(peek().text).starts_with("VAR")) variables(made.variables);
       made.isWhole = !isLineLost_;
-      if (is("INITIAL_STEP") || is("STEP") || is("TRANSITION")) {
-        made.unread = "SFC";
-        while (!isEnd() && !is(end)) take();
-      } else if (isInstructionList()) {
-        made.unread = "IL";
-        while (!isEnd() && !is(end)) take();
-      } else {
-        bodyUntil(end, made);
-      }
+      if (beginsChart())
+        chartStatements(chart(end), made, sink_);
+      else
+        bodyUntil(end, made.body);
       expect(end);
     } catch (const Unreadable&) {
       made.isWhole = false;
@@ -287,30 +278,6 @@ class ProjectParser : private StatementParser {
     sink_.setPlace("", 0);
     project_.blocks.push_back(std::move(made));
   }
-  void bodyUntil(std::string_view end, BlockSyntax& made) {
-    made.body = statements();
-    while (!isEnd() && !is(end)) {
-      if (beginsDeclaration()) return;
-      Statement lost;
-      lost.kind = StatementKind::Unread;
-      report(fmt::format("'{}' does not belong here", excerpt(peek().text)), peek());
-      const std::uint32_t begin = take().begin;
-      lost.span = spanFrom(begin);
-      made.body.push_back(std::move(lost));
-      for (Statement& more : statements()) made.body.push_back(std::move(more));
-    }
-  }
-  /// Lines begin with an operator and have no `:=` behind the first word.
-  bool isInstructionList() const {
-    static constexpr std::string_view operators[] = {"LD", "LDN", "CAL", "ST", "ANDN"};
-    for (const std::string_view op : operators) {
-      if (isWord(peek(), op) &&
-          (peek(1).kind == TokenKind::Word || peek(1).kind == TokenKind::Address || peek(1).kind == TokenKind::Number))
-        return true;
-    }
-    return false;
-  }
-
   void configuration() {
     name("the name of the configuration");
     while (!accept("END_CONFIGURATION")) {

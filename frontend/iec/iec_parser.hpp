@@ -11,6 +11,8 @@ namespace rungproof::iec {
 void parseProject(const SourceText& source, SyntaxSink& sink, ProjectSyntax& project);
 /// The statements of a body.
 Statements parseBody(const SourceText& source, SyntaxSink& sink, std::vector<Directive>& directives);
+/// The lines of a body in IL.
+Statements parseList(const SourceText& source, SyntaxSink& sink, std::vector<Directive>& directives);
 /// One expression, or nullptr with an error.
 ExprPtr parseExpression(const SourceText& source, SyntaxSink& sink);
 

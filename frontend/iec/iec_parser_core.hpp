@@ -48,8 +48,9 @@ class ParserCore {
   std::string found() const {
     return isEnd() ? std::string(", the text ends") : fmt::format(", not '{}'", excerpt(peek().text));
   }
-  [[noreturn]] void fail(std::string message) {
-    report(std::move(message), peek());
+  [[noreturn]] void fail(std::string message) { failAt(peek(), std::move(message)); }
+  [[noreturn]] void failAt(const IecToken& token, std::string message) {
+    report(std::move(message), token);
     throw Unreadable{};
   }
   void report(std::string message, const IecToken& at) {

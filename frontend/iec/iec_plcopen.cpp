@@ -1,4 +1,4 @@
-// PLCopen XML with ST to the syntax tree.
+// PLCopen XML to the syntax tree.
 #include "frontend/iec/iec_plcopen.hpp"
 
 #include <cstdlib>
@@ -7,6 +7,7 @@
 
 #include "frontend/iec/iec_drawing.hpp"
 #include "frontend/iec/iec_parser.hpp"
+#include "frontend/iec/iec_plcopen_chart.hpp"
 #include "frontend/plcopen/plcopen_reader.hpp"
 #include "frontend/plcopen/plcopen_shapes.hpp"
 #include "frontend/stl/directive.hpp"
@@ -16,16 +17,15 @@
 
 namespace rungproof::iec {
 
-bool hasStructuredText(std::string_view text) {
-  for (std::size_t at = text.find("ST"); at != std::string_view::npos; at = text.find("ST", at + 1)) {
-    const bool opens =
-        at > 0 &&
-        (text[at - 1] == '<' ||
-         (text[at - 1] == ':' && text.rfind('<', at) != std::string_view::npos &&
-          text.substr(text.rfind('<', at), at - text.rfind('<', at)).find_first_of(" >/\n") == std::string_view::npos));
-    if (opens && at + 2 < text.size() &&
-        (text[at + 2] == '>' || text[at + 2] == ' ' || text[at + 2] == '\n' || text[at + 2] == '\r'))
-      return true;
+bool hasBodyOfThisFamily(std::string_view text) {
+  for (const std::string_view language : {"ST", "SFC"}) {
+    for (std::size_t at = text.find(language); at != std::string_view::npos; at = text.find(language, at + 1)) {
+      const std::size_t end = at + language.size(), opening = text.rfind('<', at);
+      if (end >= text.size() || opening == std::string_view::npos) continue;
+      const std::string_view prefix = text.substr(opening + 1, at - opening - 1);
+      const bool opens = prefix.empty() || (prefix.ends_with(':') && prefix.find_first_of(" >/\n") == prefix.npos);
+      if (opens && std::string_view("> \n\r\t").find(text[end]) != std::string_view::npos) return true;
+    }
   }
   return false;
 }
@@ -34,7 +34,7 @@ namespace {
 
 constexpr auto shapesOfVariables = variableListShapes("simpleValue arrayValue structValue");
 
-class PlcopenText {
+class PlcopenText : private PlcopenBodies {
  public:
   PlcopenText(Program& program, const InputText& input, ProjectSyntax& project)
       : program_(program),
@@ -110,9 +110,25 @@ class PlcopenText {
       if (name == "interface") readInterface(child, made);
       if (name == "body" && ++bodies == 1) readBody(child, made);
     }
+    readActions(childNamed(node, "actions"), made);
     if (bodies != 1) made.unread = bodies == 0 ? "no language" : "several bodies";
     sink_.setPlace("", 0);
     project_.blocks.push_back(std::move(made));
+  }
+
+  /// Bodies that the block calls by their names; those of a chart are there already.
+  void readActions(const pugi::xml_node& list, BlockSyntax& block) {
+    for (const pugi::xml_node& node : list.children()) {
+      const std::string name = node.attribute("name").value();
+      const bool isThere = std::ranges::any_of(
+          block.actions, [&](const ActionSyntax& a) { return foldedName(a.name) == foldedName(name); });
+      if (localName(node) != "action" || isThere) continue;
+      ActionSyntax made;
+      made.name = name;
+      made.span = xml_.span(*part_, node);
+      made.body = statementsOf(childNamed(node, "body"), block);
+      block.actions.push_back(std::move(made));
+    }
   }
 
   void readInterface(const pugi::xml_node& node, BlockSyntax& block) {
@@ -281,6 +297,29 @@ class PlcopenText {
     project_.instances.push_back(std::move(made));
   }
 
+  Span placeOf(const pugi::xml_node& node) const override { return xml_.span(*part_, node); }
+  void report(const pugi::xml_node& node, Syntax code, std::string message) override {
+    sink_.report(code, placeOf(node), std::move(message));
+  }
+  Statements statementsOf(const pugi::xml_node& body, BlockSyntax& block) override {
+    Statements outer = std::exchange(block.body, {});
+    readBody(body, block);
+    return std::exchange(block.body, std::move(outer));
+  }
+  Statements statementsOf(const DrawnNetwork& network, BlockSyntax& block) override {
+    Statements outer = std::exchange(block.body, {});
+    drawnStatements(program_, network, block, sink_);
+    return std::exchange(block.body, std::move(outer));
+  }
+  ExprPtr expressionOf(const pugi::xml_node& node) override {
+    SourceText source = textOf(node);
+    while (!source.text.empty() && (source.text.back() == ';' || source.text.back() <= ' '))
+      source.text.remove_suffix(1);
+    return parseExpression(source, sink_);
+  }
+  ExprPtr expressionOf(const std::string& text, const pugi::xml_node& at) override { return expression(text, at); }
+  DrawnNetwork networkOf(const pugi::xml_node& body) override { return readPlcopenBody(xml_, *part_, body, text_); }
+
   void readBody(const pugi::xml_node& body, BlockSyntax& block) {
     int languages = 0;
     for (const pugi::xml_node& child : body.children()) {
@@ -293,7 +332,15 @@ class PlcopenText {
         readDrawing(child, block);
         continue;
       }
-      if (language != "ST") {
+      if (language == "SFC") {
+        pugi::xml_node pou = body;
+        while (pou && localName(pou) != "pou") pou = pou.parent();
+        // The named actions of the block belong to its own chart, not to one within an action.
+        const bool isOwn = localName(body.parent()) == "pou";
+        chartStatements(readPlcopenChart(*this, child, isOwn ? pou : pugi::xml_node{}, block), block, sink_);
+        continue;
+      }
+      if (language != "ST" && language != "IL") {
         block.unread = language;
         continue;
       }
@@ -316,8 +363,15 @@ class PlcopenText {
     drawnStatements(program_, network, block, sink_);
   }
 
-  /// The characters of the body with the place of each in the file.
   void readStatements(const pugi::xml_node& node, BlockSyntax& block) {
+    const SourceText source = textOf(node);
+    Statements made = localName(node) == "IL" ? parseList(source, sink_, project_.directives)
+                                              : parseBody(source, sink_, project_.directives);
+    for (Statement& s : made) block.body.push_back(std::move(s));
+  }
+
+  /// The characters of the body with the place of each in the file.
+  SourceText textOf(const pugi::xml_node& node) {
     std::string& kept = kept_.emplace_back();
     std::vector<std::uint32_t>& places = places_.emplace_back();
     forEachBelow(node, [&](const pugi::xml_node& at) {
@@ -326,7 +380,7 @@ class PlcopenText {
       append(std::string_view(at.value()), at.type() == pugi::node_cdata, span, kept, places);
     });
     places.push_back(places.empty() ? xml_.span(*part_, node).offset : places.back() + 1);
-    block.body = parseBody({kept, sink_.file(), 0, &places}, sink_, project_.directives);
+    return {kept, sink_.file(), 0, &places};
   }
 
   /// Each character of the value stands where it, or its entity, stands in the file.

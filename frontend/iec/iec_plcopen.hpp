@@ -1,5 +1,5 @@
-// PLCopen TC6 XML to the syntax tree: types, blocks, variables, configurations, and bodies in ST, LD and FBD. Bodies in
-// IL and SFC are not read yet.
+// PLCopen TC6 XML to the syntax tree: types, blocks, variables, configurations, and bodies in ST, IL, LD, FBD
+// and SFC.
 #pragma once
 
 #include "frontend/files/file_reader.hpp"
@@ -7,8 +7,8 @@
 
 namespace rungproof::iec {
 
-/// Whether a body of the file is written in ST.
-bool hasStructuredText(std::string_view text);
+/// Whether a body of the file is written in ST or SFC, which no S7-200 has.
+bool hasBodyOfThisFamily(std::string_view text);
 void readPlcopenText(Program& program, const InputText& input, ProjectSyntax& project);
 
 }  // namespace rungproof::iec

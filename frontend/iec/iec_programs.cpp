@@ -185,6 +185,16 @@ void Lowering::makeMain() {
     last().operands.push_back(
         rungproof::constant(std::max<std::int64_t>(timer->longestPreset.value_or(0x7FFFFFFF), 1)));
   }
+  for (const auto& [step, longest] : steps_) {
+    const auto pass = [&](const char* clock, std::int64_t limit) {
+      emit("PASS");
+      last().operands.push_back(direct(Area::V, Width::Byte, step->names.at("X").offset));
+      last().operands.push_back(direct(Area::V, Width::DWord, step->names.at(clock).offset));
+      last().operands.push_back(rungproof::constant(limit));
+    };
+    pass("T", 0x7FFFFFFF);
+    if (longest > 0) pass("CLOCK", std::min<std::int64_t>(longest, 0x7FFFFFFF));
+  }
   std::vector<std::size_t> declared;
   for (std::size_t i = 0; i < programs_.size(); ++i) declared.push_back(i);
   std::vector<std::size_t> byPriority = declared;

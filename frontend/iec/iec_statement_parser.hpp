@@ -1,4 +1,4 @@
-// Statements and expressions of ST.
+// Statements and expressions of ST, lines of IL.
 #pragma once
 
 #include "frontend/iec/iec_parser_core.hpp"
@@ -14,6 +14,8 @@ class StatementParser : protected ParserCore {
   Statements wholeBody();
   /// One expression that is all of the text.
   ExprPtr wholeExpression();
+  /// Lines of IL up to the end of the text.
+  Statements wholeList();
 
  protected:
   /// Up to a word that ends a list of statements: END_..., ELSE, UNTIL, a label of CASE if `inCase`.
@@ -21,8 +23,22 @@ class StatementParser : protected ParserCore {
   ExprPtr expression();
   Argument argument();
   std::vector<Argument> arguments();
+  /// Whether IL begins here: a line with an operator in front and nothing that a statement would have behind it.
+  bool beginsList() const;
+  /// Lines of IL up to a word that ends a body.
+  Statements listLines();
+  bool endsStatements() const;
 
  private:
+  Statement listLine();
+  void listOperator(ListLine& line);
+  void listOperands(ListLine& line);
+  Argument listOperand();
+  bool beginsWithCall(std::size_t open) const;
+  bool isLabel() const;
+  bool isLineEnd() const;
+  bool isNewLine(std::size_t ahead) const;
+  void skipLine();
   Statement statement();
   Statement plain();
   void expectAssignment();
@@ -31,7 +47,6 @@ class StatementParser : protected ParserCore {
   void caseStatement(Statement& made);
   void forStatement(Statement& made);
   bool isCaseLabel() const;
-  bool endsStatements() const;
   void skipStatement();
   ExprPtr binary(int level);
   ExprPtr unary();

@@ -51,7 +51,8 @@ void Lowering::statement(Scope& scope, const Statement& s) {
       if (scope.returnLabel >= 0) return jump(scope.returnLabel);
       return emit("RET");
     case StatementKind::Try: return tryStatement(scope, s);
-    case StatementKind::Unread: throw Refused{};
+    case StatementKind::Line: listLabel(scope, *s.line); return listLine(scope, s);
+    case StatementKind::Unread: loseResult(scope); throw Refused{};
   }
 }
 
@@ -61,6 +62,9 @@ void Lowering::assign(Scope& scope, const Statement& s) {
   if (target.constant || (target.declared != nullptr && target.declared->isConstant))
     refuse(s.target->span, fmt::format("{} is a constant", excerpt(s.target->parts[0].name)));
   if (target.type->kind == Kind::Block) refuse(s.target->span, "an instance cannot be assigned");
+  if (target.owner != nullptr && target.owner->block->name == "__STEP" && target.owner->block->isLibrary &&
+      (scope.action == nullptr || !scope.action->isChart))
+    refuse(s.target->span, fmt::format("{} is a step: only its chart writes it", excerpt(s.target->parts[0].name)));
   if (target.type->kind == Kind::Array || target.type->kind == Kind::Struct) {
     if (s.value->kind != ExprKind::Path) refuse(s.value->span, "only a variable of the same type can be assigned here");
     const Reference source = reference(scope, *s.value);
@@ -184,6 +188,11 @@ void Lowering::callStatement(Scope& scope, const Expr& call) {
   path.span = call.span;
   BlockInstance* owner = nullptr;
   const std::string folded = foldedName(call.parts[0].name);
+  if (scope.self != nullptr && call.parts.size() == 1 && call.arguments.empty()) {
+    for (const ActionSyntax& action : scope.self->block->actions) {
+      if (foldedName(action.name) == folded) return callAction(scope, action, call.span);
+    }
+  }
   const bool isVariable = scope.inOuts.contains(folded) || find(scope, folded, owner) != nullptr;
   if (isVariable) {
     for (const PathPart& part : call.parts) {
@@ -220,8 +229,41 @@ void Lowering::callStatement(Scope& scope, const Expr& call) {
   }
 }
 
+/// In a block with IN_OUT the action is written out, as the block itself is.
+void Lowering::callAction(Scope& scope, const ActionSyntax& action, Span span) {
+  if (openActions_.contains(&action)) refuse(span, fmt::format("the action {} calls itself", action.name));
+  BlockInstance& self = *scope.self;
+  if (!self.hasInOut) {
+    const auto made = self.actions.find(foldedName(action.name));
+    if (made == self.actions.end()) makeAction(self, action);
+    return emit("CAL", {self.actions.at(foldedName(action.name))});
+  }
+  Scope inner;
+  inner.self = &self;
+  inner.inOuts = scope.inOuts;
+  inner.caller = &scope;
+  inner.action = &action;
+  inner.returnLabel = newLabel();
+  openActions_.insert(&action);
+  try {
+    beginList(inner, action.body);
+    statements(inner, action.body);
+    endList(inner);
+  } catch (const Refused&) {
+    openActions_.erase(&action);
+    throw;
+  }
+  openActions_.erase(&action);
+  label(inner.returnLabel);
+}
+
 /// Inputs, body, outputs; with EN only where it is TRUE.
 void Lowering::callInstance(Scope& scope, BlockInstance& instance, const Expr& call) {
+  if (scope.action != nullptr && scope.action->isCondition)
+    refuse(call.span,
+           "a function block in the condition of a transition is not modelled: whether it is called while its step is "
+           "not active is open",
+           Syntax::IecNotModelled);
   const Argument* enable = nullptr;
   const Argument* enabled = nullptr;
   for (const Argument& argument : call.arguments) {
@@ -283,7 +325,9 @@ void Lowering::bindInputs(Scope& scope, BlockInstance& instance, const Expr& cal
              fmt::format("block {} has no input {}", instance.block->name,
                          argument.name.empty() ? std::string("more") : excerpt(argument.name)),
              Syntax::IecName);
-    const Variable& variable = instance.names.at(foldedName(formal->name));
+    const auto declared = instance.names.find(foldedName(formal->name));
+    if (declared == instance.names.end()) throw Refused{};  // its declaration was not understood, which is told there
+    const Variable& variable = declared->second;
     if (formal->section == Section::InOut) {
       if (argument.value->kind != ExprKind::Path) refuse(argument.span, "IN_OUT needs a variable");
       const Reference actual = reference(scope, *argument.value);
@@ -357,7 +401,9 @@ void Lowering::runBody(Scope& scope, BlockInstance& instance, Scope& inner, Span
   instance.isOpen = true;
   try {
     freshLocals(inner);
+    beginList(inner, instance.block->body);
     statements(inner, instance.block->body);
+    endList(inner);
   } catch (const Refused&) {
     instance.isOpen = false;
     --depth_;

@@ -19,11 +19,11 @@ int rate(const SourceFile& file, const InputText& input, const ReadOptions& opti
   return endsInAny(file.name(), {".xml"}) ? sureness::Ending : sureness::None;
 }
 
-/// Files with bodies in ST are programs of IEC 61131-3; drawings alone are read as an S7-200's where nothing else is
-/// said.
+/// Files with bodies in ST or SFC are programs of IEC 61131-3; drawings alone are read as an S7-200's where nothing
+/// else is said.
 void read(Program& program, const InputText& input, const ReadOptions& options) {
   const bool isText = options.dialect == iecDialect.name ||
-                      (options.dialect == "auto" && iec::hasStructuredText(program.sources->file(input.file).text()));
+                      (options.dialect == "auto" && iec::hasBodyOfThisFamily(program.sources->file(input.file).text()));
   if (isText) return iec::readPlcopenText(program, input, *input.iec);
   readPlcopen(program, input, *input.drawn);
   if (options.dialect == "auto") iec::readPlcopenText(*input.programAsIec, input, *input.drawnAsIec);

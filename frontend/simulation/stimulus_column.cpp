@@ -13,6 +13,7 @@
 #include "frontend/step7/name_lookup.hpp"
 #include "frontend/stl/missing_address.hpp"
 #include "frontend/stl/operand_reader.hpp"
+#include "ir/iec/cpu.hpp"
 #include "ir/overlap.hpp"
 #include "ir/s7200/call_contract.hpp"
 #include "ir/s7200/call_parameters.hpp"
@@ -139,11 +140,12 @@ std::optional<StimulusColumn> deviceColumn(const std::string& name) {
 
 std::optional<TraceSignal> signalNamed(const Program& program, std::string_view name, Failure& failure) {
   std::string_view bare = name;
-  const bool asValue = lowered(name).ends_with(".value");
+  const bool hasOwnNames = isIec(program.target);  // there T1 and Valve.Value are variables
+  const bool asValue = !hasOwnNames && lowered(name).ends_with(".value");
   if (asValue) bare.remove_suffix(6);
   Operand operand;
   std::string symbolName;
-  bool isKnown = readAddress(bare, Spelling::International, operand);
+  bool isKnown = !hasOwnNames && readAddress(bare, Spelling::International, operand);
   if (!isKnown) {
     for (const Symbol& symbol : program.symbols) {
       if (lowered(symbol.name) != lowered(bare) || symbol.address.kind != OperandKind::Direct) continue;
@@ -152,7 +154,8 @@ std::optional<TraceSignal> signalNamed(const Program& program, std::string_view 
       isKnown = true;
     }
   }
-  isKnown = isKnown || readAddress(bare, Spelling::German, operand);
+  isKnown =
+      isKnown || readAddress(bare, Spelling::International, operand) || readAddress(bare, Spelling::German, operand);
   if (const std::size_t blank = bare.find(' '); !isKnown && blank != std::string_view::npos) {
     isKnown = readAddress(bare.substr(0, blank), Spelling::International, operand);  // "Q0.0 Motor"
   }

@@ -72,7 +72,10 @@ class TableReader {
       if (others_.contains(i)) continue;
       const CsvCell& cell = table_.heading[i];
       const std::string name = lowered(cell.text);
-      if (!seen.insert(name).second)
+      // Behind its own columns a witness may have variables of their names.
+      const bool isOfWitness =
+          isWitness && ((name == "given" && frame.given < 0) || (name == "start" && frame.start < 0));
+      if (!isOfWitness && !seen.insert(name).second)
         fail(cell, fmt::format("column '{}' stands here twice", cell.text), "take one of the two out");
       if (i == 0) continue;
       if (name.empty()) {
@@ -83,9 +86,9 @@ class TableReader {
         frame.event = static_cast<int>(i);
       } else if (name == "device") {
         frame.device = static_cast<int>(i);
-      } else if (isWitness && name == "given") {
+      } else if (isOfWitness && name == "given") {
         frame.given = static_cast<int>(i);
-      } else if (isWitness && name == "start") {
+      } else if (isOfWitness) {
         frame.start = static_cast<int>(i);
       } else if (name == "time_ms" && i == 1 && !frame.isByTime) {
         frame.isRecorded = true;

@@ -69,7 +69,8 @@ enum class StatementKind : std::uint8_t {
   Continue,
   Return,
   Try,
-  Unread
+  Line,   ///< of IL
+  Unread  ///< writes `target` if there is one, otherwise anything
 };
 
 struct Statement;
@@ -85,6 +86,18 @@ struct Branch {
   Statements body;
 };
 
+/// A line of IL: `label: operator operand, operand`.
+struct ListLine {
+  std::string label;  ///< in front of the operator; a line may have nothing else
+  std::string op;     ///< in capitals without modifiers; ")" closes; empty: none
+  bool isNegated = false, isConditional = false;
+  bool opens = false;     ///< `op(`
+  bool hasNames = false;  ///< a function with `NAME := value`, which does not take the current result
+  Span opSpan;
+  /// Of CAL: one call. Of a jump: the label as a path. Otherwise the values behind the operator.
+  std::vector<Argument> operands;
+};
+
 /// Try: `otherwise` is what is tried, the first branch what runs after a fault in it, the second one what runs in any
 /// case behind it.
 struct Statement {
@@ -96,6 +109,8 @@ struct Statement {
   std::vector<Branch> branches;
   Statements otherwise;
   bool hasElse = false;
+  std::unique_ptr<ListLine> line;  ///< Line
+  std::string picture;             ///< of a chart: the text that shows it
 };
 
 enum class TypeForm : std::uint8_t { Named, Array, Struct, Enum };
@@ -136,9 +151,20 @@ struct VariableSyntax {
   bool isConstant = false, isRetain = false;
   EdgeOf edge = EdgeOf::None;
   Span span;
+  /// Of a step: ms at which its CLOCK stands still, because nothing tells more; 0: nothing reads it.
+  std::int64_t longestClock = 0;
 };
 
 enum class BlockKind : std::uint8_t { Program, FunctionBlock, Function };
+
+/// A body that a block calls by its name, with the variables of the block.
+struct ActionSyntax {
+  std::string name;
+  Statements body;
+  Span span;
+  bool isChart = false;      ///< made of a chart: it alone moves the tokens
+  bool isCondition = false;  ///< computes the condition of a transition
+};
 
 struct BlockSyntax {
   BlockKind kind = BlockKind::Program;
@@ -146,6 +172,7 @@ struct BlockSyntax {
   TypePtr result;  ///< Function
   std::vector<VariableSyntax> variables;
   Statements body;
+  std::vector<ActionSyntax> actions;
   Span span;
   bool isWhole = true;     ///< everything was read
   bool isLibrary = false;  ///< of the standard

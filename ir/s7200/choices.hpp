@@ -71,6 +71,10 @@ enum class Choice : std::uint8_t {
   IecTaskOrder,
   IecTimeNumber,
   IecNetworkFeedback,
+  IecSfcOrder,
+  IecSfcInitialEdge,
+  IecSfcFinalScan,
+  IecSfcActionOrder,
   count
 };
 
@@ -392,6 +396,27 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      {"sequential", "snapshot", ""},
      "IEC 61131-3: what a contact sees of a variable that a coil before it in the same network writes: what was "
      "written, or the value of before the network",
+     "IEC 61131-3"},
+    {Choice::IecSfcOrder,
+     "iec-sfc-order",
+     {"transitions-first", "actions-first", ""},
+     "IEC 61131-3: whether a scan of a chart tests its transitions and then runs the actions of the new situation, or "
+     "runs the actions first",
+     "IEC 61131-3"},
+    {Choice::IecSfcInitialEdge,
+     "iec-sfc-initial-edge",
+     {"yes", "no", ""},
+     "IEC 61131-3: whether the start of a chart activates its initial step, so that P and P1 run in the first scan",
+     "IEC 61131-3"},
+    {Choice::IecSfcFinalScan,
+     "iec-sfc-final-scan",
+     {"no", "yes", ""},
+     "IEC 61131-3: whether the body of an action runs once more in the scan in which it ceases to be active",
+     "IEC 61131-3"},
+    {Choice::IecSfcActionOrder,
+     "iec-sfc-action-order",
+     {"declaration", "alphabetical", ""},
+     "IEC 61131-3: in which order the actions of a chart run in a scan: as they are declared, or by their names",
      "IEC 61131-3"},
 }};
 

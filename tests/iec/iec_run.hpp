@@ -19,9 +19,12 @@ inline std::string findingsIec(const Program& program) {
 
 inline Program readIecText(const std::string& text) { return readText("test.st", text); }
 
+/// Readings of open points by their names; all others are the default.
+using IecChoices = std::vector<std::pair<std::string_view, std::string_view>>;
+
 struct IecRun {
-  explicit IecRun(const std::string& text, std::uint32_t scanMs = 10)
-      : program(readIecText(text)), lookup(lookupIn(program)), simulator(program, options(scanMs)) {
+  explicit IecRun(const std::string& text, std::uint32_t scanMs = 10, const IecChoices& choices = {})
+      : program(readIecText(text)), lookup(lookupIn(program)), simulator(program, options(scanMs, choices)) {
     EXPECT_EQ(findingsIec(program), "");
   }
 
@@ -57,9 +60,10 @@ struct IecRun {
   Simulator simulator;
 
  private:
-  static SimulatorOptions options(std::uint32_t scanMs) {
+  static SimulatorOptions options(std::uint32_t scanMs, const IecChoices& choices) {
     SimulatorOptions made;
     made.scanUs = scanMs * 1000;
+    for (const auto& [key, reading] : choices) EXPECT_TRUE(made.choices.set(key, reading)) << key << "=" << reading;
     return made;
   }
 };
