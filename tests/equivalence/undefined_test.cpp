@@ -130,6 +130,15 @@ TEST(Undefined, AccumulatorsAtTheStartOfAnOrganizationBlockAreTheSame) {
   EXPECT_EQ(equalityText(comparedTexts(program, program).equality), "EQUAL");
 }
 
+/// What VD0 and VD2 hold is known - 0, cos 0 and what follows - but not to whom checks certificates, for whom COS is
+/// any value. Such a certificate proves nothing, and is no fault of the program.
+TEST(Undefined, ACertificateThatRestsOnACosineProvesNothing) {
+  const std::string loop = "A V2.6;LDN C0;AN SM0.1;COS VD0,VD2;LDN Q0.2";
+  const Equivalence found = comparedTexts(exportOf(loop + ";= C0"), exportOf(loop), false, st40);
+  EXPECT_NE(equalityText(found.equality), "DIFFERENT");
+  EXPECT_TRUE(found.disagreements.empty());
+}
+
 /// Without PLS no generator runs, so that the forms of their registers say nothing.
 TEST(Undefined, AProgramWithoutPulsesIsEqualOnBothFamilies) {
   const std::string program = exportOf("LD I0.0;TON T37,10|LD T37;= Q0.0|LD I0.1;EU;INCW VW0|LDW>= VW0,5;= Q0.1");
