@@ -30,5 +30,7 @@ bool mayBeCalled(const Facts& facts, std::uint32_t instruction);
 std::vector<ExternalRange> externalsOfCalls(const Facts& facts);
 /// What is assumed of the blocks that are called, one line each.
 std::vector<std::string> assumptionsOfCalls(const Facts& facts);
+/// Whether there are such calls at all.
+bool restsOnContracts(const Program& program);
 
 }  // namespace rungproof
