@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <ostream>
 
 #include "frontend/text/safe_text.hpp"
@@ -15,6 +16,12 @@
 namespace rungproof {
 
 namespace {
+
+/// In any case of letters.
+bool isCalled(std::string_view name, std::string_view lower) {
+  return std::ranges::equal(name, lower,
+                            [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+}
 
 /// A column that only a run has, of the first program or of both, and of the second one.
 struct RunColumn {
@@ -46,7 +53,11 @@ RunColumns runColumns(const Trace& trace) {
          return row.scan != 1 ? nothing : isNew ? of.newStartValues : of.startValues;
        }},
   }};
-  columns[0].isShown = !trace.isByTime && trace.hasEvents();
+  // A variable called Event is one only where the column stands in front of it.
+  const bool hasNamesake = trace.isWhole && std::ranges::any_of(trace.signals, [](const TraceSignal& signal) {
+                             return isCalled(signal.name, "event");
+                           });
+  columns[0].isShown = !trace.isByTime && (trace.hasEvents() || hasNamesake);
   columns[1].isShown = !trace.isByTime && trace.hasDevices;
   columns[2].isShown = columns[3].isShown = trace.isWhole;
   for (RunColumn& column : columns) {

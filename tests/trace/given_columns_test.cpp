@@ -124,6 +124,20 @@ TEST(GivenColumns, WitnessesOfAnS7300AreRepeated) {
   }
 }
 
+// Variables of IEC 61131-3 may have the names of columns.
+TEST(GivenColumns, VariablesMayBeCalledLikeColumns) {
+  const test::TemporaryFolder folder;
+  const std::string program =
+      folder.file("names.st",
+                  "//@ prove p: not q\nPROGRAM main\nVAR_INPUT Start, Event, Given, Device, Scan_ms : BOOL; "
+                  "END_VAR\nVAR q : BOOL; END_VAR\nq := Start AND NOT Event AND Given AND Device AND "
+                  "Scan_ms;\nEND_PROGRAM\n");
+  ASSERT_EQ(runCommand({"prove", program, "--traces", folder.path("names")}).code, 1);
+  const std::string witness = (fs::path(folder.path("names")) / "p.csv").string();
+  const Ended run = runCommand({"sim", program, "--stimulus", witness, "--expect", witness});
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+}
+
 /// Programs of the corpus with a property, in order of their names.
 std::vector<std::string> corpusPrograms() {
   std::vector<std::string> programs;
