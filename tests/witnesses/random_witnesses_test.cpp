@@ -113,6 +113,9 @@ void repeatRandom(const char* family, std::uint64_t first, const Make& make, boo
   for (int i = 0; i < count; ++i) {
     const std::uint64_t own = seed + static_cast<std::uint64_t>(i);
     SCOPED_TRACE("RUNGPROOF_SEED=" + std::to_string(own - first));
+    if (count > usualPrograms)
+      std::fprintf(stderr, "\r%s: RUNGPROOF_SEED=%llu", family,
+                   static_cast<unsigned long long>(own - first));  // where it ends
     const RandomText source = make(own);
     proofs.prove(source, /*isByExecutable=*/i % 20 == 7, /*isBuiltin=*/i % 5 == 0);
     if (i % 4 == 0 && isCompared) comparisons.compare(source, otherVersion(source, own));
