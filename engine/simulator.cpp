@@ -2,9 +2,12 @@
 // simulator_time.cpp.
 #include "engine/simulator.hpp"
 
+#include <charconv>
+
 #include "engine/cell_value.hpp"
 #include "engine/device_end.hpp"
 #include "engine/simulator_hooks.hpp"
+#include "ir/s7200/error_codes.hpp"
 #include "ir/s7200/special_memory.hpp"
 
 namespace rungproof {
@@ -12,6 +15,18 @@ namespace rungproof {
 namespace {
 
 constexpr std::uint64_t defaultStation = 2;  // of a CPU as delivered (not in the manual text)
+
+/// Of the error that came last for the first time; 0: none.
+std::uint64_t lastErrorCode(const std::vector<RunTimeError>& errors) {
+  for (auto error = errors.rbegin(); error != errors.rend(); ++error) {
+    const HazardInfo& info = hazardInfo(error->hazard);
+    std::uint64_t code = 0;
+    if (info.kind != HazardClass::NonFatal) continue;
+    std::from_chars(info.code.data(), info.code.data() + info.code.size(), code, 16);
+    return code;
+  }
+  return 0;
+}
 
 }  // namespace
 
@@ -231,6 +246,7 @@ std::uint64_t Simulator::externalValue(const ExternalSite& site, int width) {
     case External::LocalMemory:
     case External::UnknownStatus:
     case External::UnknownResult:
+      if (outside_ == nullptr && site.index == errorCodeIndex) return lastErrorCode(errors().list());
       if (unknownIsZero_) return 0;
       if (outside_ == nullptr) return unknown(width);
       break;

@@ -40,24 +40,32 @@ struct TraceRow {
   std::vector<std::optional<double>> values;  ///< by signal; nothing: any value
   std::string events{};                       ///< interrupts of the scan at their places, as a stimulus writes them
   std::string devices{};                      ///< what devices wrote, as a stimulus writes it
-  std::string given{};      ///< Trace::isWhole: what else the surroundings did, as a stimulus writes it
-  std::string newEvents{};  ///< Trace::hasTwoEvents: the interrupts of the second program; `events` are the first one's
+  std::string given{};  ///< Trace::isWhole: what else the surroundings did, as a stimulus writes it
+  /// Trace::hasTwoSides: the same of the second program; those above are the first one's.
+  std::string newEvents{}, newDevices{}, newGiven{};
 };
 
 struct Trace {
   std::vector<TraceSignal> signals;
   std::vector<TraceRow> rows;
-  bool isByTime = false;      ///< rows are keyed by time, not by scan
-  bool hasTimes = true;       ///< TraceRow::timeUs is known
-  bool hasTwoEvents = false;  ///< of two programs, whose interrupts come at different places
-  bool hasDevices = false;    ///< devices did what TraceRow::devices says, and nothing else
-  bool isWhole = false;     ///< TraceRow::given and startValues are known: a stimulus that repeats the run exactly
-  std::string startValues{};  ///< isWhole: what memory and registers hold at the start beside what power-up leaves
+  bool isByTime = false;         ///< rows are keyed by time, not by scan
+  bool hasTimes = true;          ///< TraceRow::timeUs is known
+  bool hasTwoSides = false;      ///< of two programs
+  bool hasDevices = false;       ///< devices did what TraceRow::devices says, and nothing else
+  bool isWhole = false;          ///< TraceRow::given and startValues are known: a stimulus that repeats the run exactly
+  std::string startValues{};     ///< isWhole: what memory and registers hold at the start beside what power-up leaves
+  std::string newStartValues{};  ///< isWhole, hasTwoSides: of the second program
   /// Columns of the first row that only a stimulus needs: where clocks start ("CLOCK.tick", ms).
   std::vector<std::pair<std::string, std::uint64_t>> start{};
   bool hasEvents() const {
     return std::any_of(rows.begin(), rows.end(),
                        [](const TraceRow& row) { return !row.events.empty() || !row.newEvents.empty(); });
+  }
+
+  /// Interrupts that come at different places of two programs.
+  bool hasTwoEvents() const {
+    return hasTwoSides &&
+           std::any_of(rows.begin(), rows.end(), [](const TraceRow& row) { return row.events != row.newEvents; });
   }
 
   /// Index of the signal of that name or symbol (case does not matter), or -1.

@@ -21,9 +21,12 @@ std::vector<std::string> remarksBesideRun(const PropertyResult& property) {
 
 std::vector<std::string> basisOf(const Report& report) {
   const bool isOfPrograms = report.comparison && report.comparison->isOfPrograms();
+  const bool isRun = report.command == "sim";
   std::vector<std::string> lines;
-  if (report.properties.empty() && !isOfPrograms && report.command != "lint") return lines;
-  for (const std::string& assumption : report.assumptions) lines.push_back("assumes: " + assumption);
+  if (report.properties.empty() && !isOfPrograms && !isRun && report.command != "lint") return lines;
+  for (const std::string& assumption : report.assumptions) {
+    if (!isRun) lines.push_back("assumes: " + assumption);  // of a run the trace tells
+  }
   for (const std::string& place : report.coverage.approximated) lines.push_back("approximated: " + place);
   return lines;
 }

@@ -13,8 +13,8 @@ namespace rungproof {
 std::vector<std::string> remarksOf(const PropertyResult& property);
 /// The same without the table of the run, for forms that show it in their own way.
 std::vector<std::string> remarksBesideRun(const PropertyResult& property);
-/// What all verdicts of the report rest on: "assumes: CPU 224, ...", "approximated: PID at press.awl:41: ...". Empty
-/// where nothing is asked of the prover.
+/// What all verdicts of the report rest on: "assumes: CPU 224, ...", "approximated: PID at press.awl:41: ...". Of a
+/// run what was not computed. Empty where nothing is asked.
 std::vector<std::string> basisOf(const Report& report);
 
 }  // namespace rungproof

@@ -17,8 +17,8 @@
 #include "analysis/equivalence/equality_proof.hpp"
 #include "analysis/equivalence/hidden_blocks.hpp"
 #include "analysis/equivalence/pair_exploration.hpp"
+#include "analysis/equivalence/plain_run.hpp"
 #include "analysis/equivalence/scan_length.hpp"
-#include "analysis/equivalence/trace_limits.hpp"
 #include "analysis/portfolio/portfolio.hpp"
 #include "analysis/proof/proof_watch.hpp"
 #include "analysis/proof/question_system.hpp"
@@ -180,7 +180,6 @@ class ProgramComparison {
     const BothRuns runs{*before_.program, *after_.program, options_,
                         namedOutputs(*before_.program, *after_.program, options_), true};
     isExplored_ = runs.judged(stimulusOnly(*before_.program, *after_.program, early)).has_value();
-    if (!isExplored_) early.beyondTrace.emplace_back(differingReads);
     if (early.scan > 1) {
       try {
         ProgramProduct product(before_, after_, match_, productOptions(false));
@@ -390,10 +389,7 @@ class ProgramComparison {
     if (!shown) return false;
     auto repeated = runs.judged(stimulusOnly(*before_.program, *after_.program, *shown));
     if (!repeated && isExplored_) return false;  // a run that anyone can repeat is better than a shorter one
-    if (!repeated) {
-      repeated = runs.judged(without(*shown, isUndefinedRead));
-      if (repeated) repeated->beyondTrace = beyondTrace(runs, *repeated);
-    }
+    if (!repeated) repeated = runs.judged(without(*shown, isUndefinedRead));
     if (repeated)
       take(runs.plain(*repeated));
     else

@@ -41,8 +41,6 @@ struct EquivalenceRun {
   std::uint64_t valueBefore = 0, valueAfter = 0;
   /// Readings of open points that it needs and that are not those of the choices: index into ChoiceInfo::values.
   std::vector<std::pair<Choice, std::uint8_t>> readings;
-  /// What it needs that no column of a trace gives: "the clock"; empty: `sim` repeats it.
-  std::vector<std::string> beyondTrace{};
 };
 
 struct ObservedVerdict {

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "ir/s7200/cpu.hpp"
+#include "ir/s7200/error_codes.hpp"
 #include "ir/s7200/library_block.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/pointer_code.hpp"
@@ -41,6 +42,7 @@ class AccessCollector {
     if (desc_->control == Control::BlockCall) return blockCall();
     const std::size_t count = std::min<std::size_t>(instruction_->operands.size(), desc_->operandCount);
     for (std::size_t i = 0; i < count; ++i) operand(i);
+    if (readsErrorStatus(*desc_)) add(impliedOperand, direct(Area::SM, Width::Bit, 4, 3), Width::Bit, {}, false);
     if (desc_->control == Control::Scrt && step.partner != noPartner) leaveStep(*flow.steps[step.partner].instruction);
   }
 

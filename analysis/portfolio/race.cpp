@@ -7,6 +7,8 @@
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <optional>
+#include <set>
 #include <thread>
 
 #include "analysis/schedule/schedule.hpp"
@@ -47,6 +49,8 @@ class Race::Workers {
 
   void run(const RaceRun& run) {
     run_ = run;
+    line_.clear();
+    open_ = 0;
     for (std::size_t q = 0; q < contests_.size(); ++q) begin(q);
     std::vector<std::thread> threads;
     for (int i = 1; i < options_.jobs; ++i) threads.emplace_back([this] { workOn(); });
@@ -77,6 +81,12 @@ class Race::Workers {
     bool hasWon = false;  ///< the answer is this engine's
   };
 
+  /// Of the engine whose turn it is.
+  struct Place {
+    double rank;
+    std::size_t engine;
+  };
+
   struct Contest {
     std::array<Runner, engineKinds.size()> runners;
     std::atomic<bool> cancel = false;
@@ -84,6 +94,7 @@ class Race::Workers {
     double most = 0;  ///< engine seconds, of all runs
     int workers = 0;
     bool done = false;
+    std::optional<Place> place{};  ///< in the line of those that wait for a worker
   };
 
   void begin(std::size_t q) {
@@ -100,6 +111,13 @@ class Race::Workers {
     }
     contest.done =
         questions_[q].verdict.answer != Answer::Unknown || contest.used >= contest.most || haveAllEnded(contest);
+    contest.place.reset();
+    open_ += contest.done ? 0 : 1;
+    lineUp(q);
+  }
+  void end(Contest& contest) {
+    open_ -= contest.done ? 0 : 1;
+    contest.done = contest.cancel = true;
   }
   static bool haveAllEnded(const Contest& contest) {
     return std::ranges::all_of(contest.runners,
@@ -110,31 +128,41 @@ class Race::Workers {
     std::size_t question, engine;
   };
 
-  /// Waits for a task; false when all questions are done. The lock is held.
+  /// Questions with fewer workers and less time first, then engines with less weighted time.
+  static std::optional<Place> placeOf(const Contest& contest) {
+    std::optional<Place> best;
+    for (std::size_t e = 0; e < engineKinds.size(); ++e) {
+      const Runner& runner = contest.runners[e];
+      if (runner.working || runner.ended || !runner.takesPart) continue;
+      const double tired = 1 + runner.used / engineKinds[e].patience;
+      const double own = (runner.used + engineKinds[e].wait) * tired / engineKinds[e].weight;
+      const double rank = contest.workers * 1e6 + contest.used * 1e3 + own;
+      if (!best || rank < best->rank) best = Place{rank, e};
+    }
+    return best;
+  }
+
+  /// To be called whenever something about the question has changed. The lock is held.
+  void lineUp(std::size_t q) {
+    Contest& contest = contests_[q];
+    if (contest.place) line_.erase({contest.place->rank, q});
+    contest.place = contest.done ? std::nullopt : placeOf(contest);
+    if (contest.place) line_.emplace(contest.place->rank, q);
+  }
+
+  /// Waits for a task; false when all questions are done, or the time of all is over. The lock is held.
   bool take(std::unique_lock<std::mutex>& lock, Task& task) {
     for (;;) {
-      bool open = false;
-      double best = 0;
-      bool found = false;
-      for (std::size_t q = 0; q < contests_.size(); ++q) {
-        Contest& contest = contests_[q];
-        if (contest.done) continue;
-        open = true;
-        for (std::size_t e = 0; e < engineKinds.size(); ++e) {
-          const Runner& runner = contest.runners[e];
-          if (runner.working || runner.ended || !runner.takesPart) continue;
-          // Questions with fewer workers and less time first, then engines with less weighted time.
-          const double tired = 1 + runner.used / engineKinds[e].patience;
-          const double own = (runner.used + engineKinds[e].wait) * tired / engineKinds[e].weight;
-          const double rank = contest.workers * 1e6 + contest.used * 1e3 + own;
-          if (found && rank >= best) continue;
-          found = true;
-          best = rank;
-          task = {q, e};
-        }
+      if (Budget(run_.deadline, options_.cancel).isExhausted()) {
+        for (Contest& contest : contests_) end(contest);
+        return false;
       }
-      if (!open) return false;
-      if (found) return true;
+      if (open_ == 0) return false;
+      if (!line_.empty()) {
+        const std::size_t q = line_.begin()->second;
+        task = {q, contests_[q].place->engine};
+        return true;
+      }
       changed_.wait(lock);
     }
   }
@@ -146,7 +174,7 @@ class Race::Workers {
     } catch (...) {
       const std::lock_guard lock(mutex_);
       if (!failure_) failure_ = std::current_exception();
-      for (Contest& contest : contests_) contest.done = contest.cancel = true;
+      for (Contest& contest : contests_) end(contest);
       changed_.notify_all();
     }
   }
@@ -159,6 +187,7 @@ class Race::Workers {
       Runner& runner = contest.runners[task.engine];
       runner.working = true;
       ++contest.workers;
+      lineUp(task.question);
       const double limit = std::min(runner.slice, std::max(contest.most - contest.used, schedule::leastSlice));
       lock.unlock();
       const double begin = Budget::threadSeconds();
@@ -183,6 +212,7 @@ class Race::Workers {
       contest.used += used;
       --contest.workers;
       record(task, verdict);
+      lineUp(task.question);
       changed_.notify_all();
     }
     changed_.notify_all();
@@ -214,23 +244,21 @@ class Race::Workers {
         known = verdict;
         for (Runner& runner : contest.runners) runner.hasWon = &runner == &contest.runners[task.engine];
       }
-      contest.cancel = true;
-      contest.done = true;
+      end(contest);
       return;
     }
     if (known.answer == Answer::Unknown && verdict.answer == Answer::Unknown)
       known.depth = std::max(known.depth, verdict.depth);
     const bool atBound = options_.bound > 0 && known.depth >= options_.bound;
     const bool stopped = Budget(run_.deadline, options_.cancel).isExhausted();
-    if (contest.used >= contest.most || haveAllEnded(contest) || stopped || atBound) {
-      contest.cancel = true;
-      contest.done = true;
-    }
+    if (contest.used >= contest.most || haveAllEnded(contest) || stopped || atBound) end(contest);
   }
 
   std::vector<RaceQuestion> questions_;
   const RaceOptions options_;
   std::deque<Contest> contests_;
+  std::set<std::pair<double, std::size_t>> line_;  ///< rank and question: whose turn it is stands first
+  std::size_t open_ = 0;                           ///< questions that are not done
   RaceRun run_;
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -591,7 +591,7 @@ ProofRun prove(const Program& program, const PropertySet& set, const ProverOptio
   PropertySet open = set;
   std::ranges::move(externalsOfCalls(facts), std::back_inserter(open.externals));
   std::optional<UnreadCode> unread;  // of a caller that does not look for it
-  if (options.unread == nullptr) options.unread = &unread.emplace(program, options.choices);
+  if (options.unread == nullptr && !isStep7(program.target)) options.unread = &unread.emplace(program, options.choices);
   ProofRun run = proveAll(program, open, options, progress);
   std::ranges::move(assumptionsOfCalls(facts), std::back_inserter(run.assumptions));
   return run;

@@ -94,12 +94,49 @@ Finding joinedFinding(const ProofRow& group, Shown beside) {
   return finding;
 }
 
-bool isAbout(const Finding& finding, const ProofResult& result) {
-  if (!result.builtin || finding.rule != result.builtin->rule->id || result.builtin->place == nullptr) return false;
-  const bool isSameAddress = finding.confirmation == Confirmation::NotNeeded && !finding.address.empty() &&
-                             finding.address == result.builtin->address;
-  return isSameAddress || finding.span.beginsIn(result.builtin->place->span);
-}
+/// The findings of lint by what they are about, so that answers need not look at all of them.
+class FindingsByPlace {
+ public:
+  explicit FindingsByPlace(std::vector<Finding>& findings) : findings_(findings), isDropped_(findings.size()) {
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+      const Finding& finding = findings[i];
+      const std::string rule(finding.rule.view());
+      if (finding.confirmation == Confirmation::NotNeeded && !finding.address.empty())
+        byAddress_[{rule, std::string(finding.address.view())}].push_back(i);
+      byPlace_[{rule, finding.span.file}].emplace(finding.span.offset, i);
+    }
+  }
+
+  /// Calls visit(finding, number) for each that the answer is about.
+  template <class Visit>
+  void forEach(const ProofResult& result, Visit&& visit) {
+    if (!result.builtin || result.builtin->place == nullptr) return;
+    const std::string rule(result.builtin->rule->id);
+    const Span place = result.builtin->place->span;
+    std::set<std::size_t> about;
+    if (const auto found = byAddress_.find({rule, result.builtin->address}); found != byAddress_.end())
+      about.insert(found->second.begin(), found->second.end());
+    if (const auto found = byPlace_.find({rule, place.file}); found != byPlace_.end()) {
+      const auto end = found->second.lower_bound(place.offset + place.length);
+      for (auto at = found->second.lower_bound(place.offset); at != end; ++at) about.insert(at->second);
+    }
+    for (const std::size_t i : about) {
+      if (!isDropped_[i]) visit(findings_[i], i);
+    }
+  }
+  void drop(std::size_t number) { isDropped_[number] = true; }
+  /// Leaves those out that were dropped.
+  void finish() {
+    std::size_t i = 0;
+    std::erase_if(findings_, [&](const Finding&) { return isDropped_[i++]; });
+  }
+
+ private:
+  std::vector<Finding>& findings_;
+  std::vector<bool> isDropped_;
+  std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> byAddress_;
+  std::map<std::pair<std::string, std::uint32_t>, std::multimap<std::uint32_t, std::size_t>> byPlace_;
+};
 
 /// A declared property that fails, as a finding at its statement.
 std::optional<Finding> brokenProperty(const ProofResult& result, std::span<const Rule* const> rules) {
@@ -260,30 +297,30 @@ void settle(const Program& program, const std::vector<ProofResult>& results, std
             const std::function<bool(std::string_view)>& isSelected, std::vector<Finding>& findings) {
   const Explained isExplained(program, results, rules);
   std::erase_if(findings, [&](const Finding& finding) { return isExplained(finding); });
+  FindingsByPlace known(findings);
   std::vector<const ProofResult*> news;
+  std::vector<Finding> broken;
   for (const ProofResult& result : results) {
     if (!result.builtin) {
       std::optional<Finding> finding = brokenProperty(result, rules);
-      if (finding && isSelected(finding->rule)) findings.push_back(std::move(*finding));
+      if (finding && isSelected(finding->rule)) broken.push_back(std::move(*finding));
       continue;
     }
     const RuleQuestion& question = *result.builtin;
     const bool isBad = isRefuted(result);
-    bool isKnown = false;
-    for (Finding& known : findings) {
-      if (!isAbout(known, result)) continue;
-      isKnown = true;
-      if (isBad && known.confirmation == Confirmation::Unconfirmed) known.confirmation = Confirmation::Confirmed;
-    }
     const bool isDismissed = result.outcome == (question.rule->ask.wantsYes ? Outcome::Reachable : Outcome::Proved);
-    if (isDismissed) {
-      std::erase_if(findings, [&](const Finding& known) {
-        return isAbout(known, result) && known.confirmation == Confirmation::Unconfirmed;
-      });
-    }
+    bool isKnown = false;
+    known.forEach(result, [&](Finding& finding, std::size_t number) {
+      isKnown = true;
+      if (finding.confirmation != Confirmation::Unconfirmed) return;
+      if (isBad) finding.confirmation = Confirmation::Confirmed;
+      if (!isBad && isDismissed) known.drop(number);
+    });
     const bool isNew = isBad && !isKnown && !question.message.empty() && isSelected(question.rule->id);
     if (isNew && !question.rule->ask.onlySettles && !isExplained(question)) news.push_back(&result);
   }
+  known.finish();
+  std::ranges::move(broken, std::back_inserter(findings));
   // Of several answers of one rule at one place the first speaks.
   std::set<std::tuple<std::string, std::uint32_t, std::uint32_t>> said;
   for (Finding& finding : findingsOf(news, Shown::Finding)) {

@@ -8,6 +8,8 @@
 #include <set>
 
 #include "analysis/flow/block_actuals.hpp"
+#include "ir/s7300/block.hpp"
+#include "ir/s7300/library_contract.hpp"
 
 namespace rungproof {
 
@@ -105,20 +107,23 @@ std::vector<ExternalRange> externalsOfCalls(const Facts& facts) {
   return ranges;
 }
 
-bool assumesOfCalls(const Program& program) { return !CallContracts(program).empty() || givesBlockActuals(program); }
+bool assumesOfCalls(const Program& program) { return restsOnContracts(program) || givesBlockActuals(program); }
 
 std::vector<std::string> assumptionsOfCalls(const Facts& facts) {
   std::vector<std::string> texts;
   const auto say = [&](std::string text) {
     if (std::ranges::find(texts, text) == texts.end()) texts.push_back(std::move(text));
   };
+  const auto sayOfLibrary = [&](std::string_view name) {
+    say(
+        fmt::format("{} gives its outputs any value and writes nothing else of the program's but the buffers that its "
+                    "parameters name",
+                    name));
+  };
   for (const auto& [id, contract] : facts.contracts().all()) {
     if (!mayBeCalled(facts, id) || contract.mayDoAnything) continue;
     if (contract.source == Source::Library) {
-      say(fmt::format(
-          "{} gives its outputs any value and writes nothing else of the program's but the buffers that its "
-          "parameters name",
-          contract.name));
+      sayOfLibrary(contract.name);
       if (contract.ownBytes > 0)
         say(fmt::format("the V memory of {} ({} bytes) is not touched by the program (library-memory names its place)",
                         contract.name, contract.ownBytes));
@@ -130,7 +135,22 @@ std::vector<std::string> assumptionsOfCalls(const Facts& facts) {
     }
   }
   std::ranges::for_each(assumptionsOfActuals(facts), say);
+  if (!isStep7(facts.target())) return texts;
+  const std::vector<bool> mayRun = blocksThatMayRun(facts);
+  for (std::size_t block = 0; block < facts.program().pous.size(); ++block) {
+    const Pou& pou = facts.program().pous[block];
+    if (!mayRun[block] || !s7300::isContractOnly(pou)) continue;
+    sayOfLibrary(pou.name);
+    const s7300::LibraryBlock* row =
+        s7300::libraryBlock(pou.type, static_cast<std::uint32_t>(numberOfBlock(pou.number)));
+    if (row != nullptr && !effectOutside(*row).empty()) say(fmt::format("{}: {}", pou.name, effectOutside(*row)));
+  }
   return texts;
+}
+
+bool restsOnContracts(const Program& program) {
+  return std::ranges::any_of(program.pous, [](const Pou& pou) { return s7300::isContractOnly(pou); }) ||
+         !CallContracts(program).empty();
 }
 
 }  // namespace rungproof

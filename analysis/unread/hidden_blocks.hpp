@@ -32,5 +32,7 @@ std::vector<ExternalRange> externalsOfCalls(const Facts& facts);
 bool assumesOfCalls(const Program& program);
 /// What is assumed of the blocks that are called, one line each.
 std::vector<std::string> assumptionsOfCalls(const Facts& facts);
+/// Whether there are such calls at all.
+bool restsOnContracts(const Program& program);
 
 }  // namespace rungproof

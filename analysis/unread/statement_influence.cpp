@@ -176,8 +176,16 @@ StatementInfluence::StatementInfluence(const Facts& facts) : facts_(facts) {
 /// The data of an FB: instances of its own, and instances of blocks that hold it as static data.
 void StatementInfluence::findInstances() {
   const Program& program = facts_.program();
+  std::set<std::uint32_t> anywhere;  // FBs that UC and CC call: on any data
+  for (const CallSite& site : facts_.calls().sites()) {
+    if (site.callee != noBlock && site.instruction->operands.size() < 2) anywhere.insert(site.callee);
+  }
   for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
     if (!hasInstance(program.pous[b])) continue;
+    if (anywhere.contains(b)) {
+      for (const DataBlock& block : program.dataBlocks) blocks_[b].instances.emplace_back(block.number, false);
+      continue;
+    }
     std::set<int> holders{program.pous[b].number};
     for (bool isNew = true; isNew;) {
       isNew = false;
@@ -501,8 +509,9 @@ void StatementInfluence::passRegisters(std::uint32_t block) {
     if (here.instruction->desc->control != Control::BlockCall) continue;
     eachCallee(block, *here.instruction, [&](std::uint32_t callee) {
       Registers handed = *states[at];
-      // The call opens the instance of an FB and sets AR2.
-      if (hasInstance(facts_.program().pous[callee])) handed.mask &= static_cast<Mask>(~(di | ar2));
+      // CALL opens the instance of an FB and sets AR2; UC and CC hand on what they find.
+      const bool opens = hasInstance(facts_.program().pous[callee]) && here.instruction->operands.size() > 1;
+      if (opens) handed.mask &= static_cast<Mask>(~(di | ar2));
       isChanged_ = blocks_[callee].entry.join(handed) || isChanged_;
     });
   }

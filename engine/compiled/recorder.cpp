@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ir/check.hpp"
+#include "ir/s7200/error_codes.hpp"
 
 namespace rungproof::compiled {
 
@@ -384,7 +385,9 @@ Recorder::Bits Recorder::external(const ExternalSite& site, int width) {
     case External::StackBottom:
     case External::LocalMemory:
     case External::UnknownStatus:
-    case External::UnknownResult: return literal(0, width);  // by Choice::UnknownBits, or nothing is compiled
+    case External::UnknownResult:
+      if (site.index == errorCodeIndex) return cannotFollow(width);  // the engine knows which error it was
+      return literal(0, width);                                      // by Choice::UnknownBits, or nothing is compiled
     case External::RegisterAtStart:
     case External::AccessError:
     case External::TimerPhase: code.takesFree = true; return literal(0, width);

@@ -84,7 +84,12 @@ std::string fileIn(const std::string& directory, const std::string& name) {
 std::string writeTraces(const Context& context, const std::string& directory, const std::string& stem,
                         const Program& program, const Choices& choices, const ProofResult& result,
                         std::vector<std::string>& notes) {
-  Trace trace = traceOf(program, choices, *result.witness, touchedSignals(program));
+  std::vector<TraceSignal> signals = touchedSignals(program);
+  for (TraceSignal& signal : signalsThatMatter(program, result)) {  // what only the property names
+    if (std::ranges::find(signals, signal.name, &TraceSignal::name) == signals.end())
+      signals.push_back(std::move(signal));
+  }
+  Trace trace = traceOf(program, choices, *result.witness, signals);
   addGiven(program, choices, *result.witness, trace);
   if (trace.rows.size() < result.witness->scanCount)
     notes.push_back(

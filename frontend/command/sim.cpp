@@ -24,6 +24,7 @@
 #include "frontend/simulation/stimulus_reader.hpp"
 #include "frontend/simulation/trace_file.hpp"
 #include "frontend/trace_format.hpp"
+#include "ir/s7300/library_contract.hpp"
 
 namespace rungproof {
 
@@ -380,6 +381,15 @@ void leaveOutUnknown(Job& job, const UnreadCode& unread, bool isAsked, std::vect
   });
 }
 
+/// Blocks of the system whose outputs no run computes.
+void addNotComputed(Report& report, const Program& program) {
+  for (const Pou& pou : program.pous) {
+    if (s7300::isContractOnly(pou))
+      report.coverage.approximated.push_back(
+          fmt::format("what {} gives is not computed: its outputs are 0, and BR is 1", pou.name));
+  }
+}
+
 Exit run(const Arguments& arguments, Context& context) {
   Program text = readFiles(context, arguments.files);
   std::vector<std::string> leftOut = arguments.asDownloaded ? leaveOut(text) : std::vector<std::string>();
@@ -446,6 +456,7 @@ Exit run(const Arguments& arguments, Context& context) {
       return Exit::Failed;
   }
   describeRun(report, simulator, job.scanTime);
+  if (given == nullptr) addNotComputed(report, program);
   if (given != nullptr && given->unused() > 0)
     context.err << fmt::format(
         "rungproof: the run did not ask for {} values of column 'given': the program, its CPU or "
@@ -461,7 +472,7 @@ Exit run(const Arguments& arguments, Context& context) {
   // Nothing else was asked for: the trace itself is the result, and what there is to say goes beside it.
   if (!job.stream && !writeTrace(context, "-", named(std::move(trace), arguments.signalNames()), ""))
     return Exit::Failed;
-  if (report.findings.empty() && report.coverage.leftOut.empty())
+  if (report.findings.empty() && report.coverage.leftOut.empty() && report.coverage.approximated.empty())
     return unread.isRefused() ? Exit::Failed : Exit::Clean;
   Context beside{context.settings, context.in, context.err, context.err, false, context.progress, context.outputs};
   return finish(beside, std::move(report));

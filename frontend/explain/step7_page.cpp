@@ -17,6 +17,7 @@
 #include "ir/s7300/fbd_box.hpp"
 #include "ir/s7300/isa.hpp"
 #include "ir/s7300/library.hpp"
+#include "ir/s7300/library_contract.hpp"
 #include "ir/s7300/organization_block.hpp"
 #include "ir/s7300/status_effect.hpp"
 
@@ -130,7 +131,7 @@ constexpr std::string_view beyondParameters = "NOT COVERED: it changes more than
 
 /// modelled, or how far the model goes.
 std::string_view modelOf(const s7300::LibraryBlock& block) {
-  if (step7::isContractOnly(block)) return actsOnCpu(block) ? outputsOnly : contractOnly;
+  if (isContractOnly(block)) return actsOnCpu(block) ? outputsOnly : contractOnly;
   const bool readsClock = block.type == BlockType::Sfc && (block.number == 1 || block.number == 64);
   if (readsClock) return "modelled in sim: the clock of the run; in proofs any value at each read, and verdicts say so";
   if (isBuiltIn(block)) return "modelled";

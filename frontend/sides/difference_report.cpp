@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "frontend/simulation/given_columns.hpp"
 #include "frontend/simulation/witness_drawing.hpp"
 #include "frontend/simulation/witness_report.hpp"
 
@@ -25,6 +26,13 @@ Witness witnessOf(const EquivalenceRun& run, bool isOld) {
 std::optional<Operand> operandOf(const std::optional<Address>& address) {
   if (!address) return std::nullopt;
   return operandAt(*address);
+}
+
+void addOperand(std::vector<TraceSignal>& list, const Program& program, const std::optional<Address>& address) {
+  const auto operand = operandOf(address);
+  if (!operand) return;
+  TraceSignal signal = signalOf(program, *operand);
+  if (std::ranges::find(list, signal.name, &TraceSignal::name) == list.end()) list.push_back(std::move(signal));
 }
 
 /// A result whose property is the differing bit, for what draws networks of a witness.
@@ -94,9 +102,10 @@ Trace DifferenceReport::joined(const std::vector<TraceSignal>& common, std::vect
   for (std::size_t i = common.size(); i < trace.signals.size(); ++i)
     trace.signals[i] = named(trace.signals[i], oldSidePrefix);
   for (const TraceSignal& signal : after) trace.signals.push_back(named(signal, newSidePrefix));
+  trace.hasTwoSides = true;
   for (std::size_t i = 0; i < trace.rows.size() && i < other.rows.size(); ++i) {
     trace.rows[i].newEvents = other.rows[i].events;
-    trace.hasTwoEvents = trace.hasTwoEvents || trace.rows[i].events != trace.rows[i].newEvents;
+    trace.rows[i].newDevices = other.rows[i].devices;
   }
   for (std::size_t i = 0; i < trace.rows.size(); ++i) {
     if (i < other.rows.size())
@@ -116,7 +125,22 @@ Trace DifferenceReport::trace() const {
   Inputs columns = inputs();
   addOutputs(columns.before, *sides_.runBefore);
   addOutputs(columns.after, *sides_.runAfter);
-  return joined(columns.common, columns.before, columns.after);
+  // What differs may be written through a pointer alone.
+  addOperand(columns.before, *sides_.runBefore, run_.addressBefore);
+  addOperand(columns.after, *sides_.runAfter, run_.addressAfter);
+  Trace trace = joined(columns.common, columns.before, columns.after);
+  const Choices& choices = options_.prover.choices;
+  const Witness before = witnessOf(run_, true), after = witnessOf(run_, false);
+  GivenSide left{*sides_.runBefore, choices, before, {}}, right{*sides_.runAfter, choices, after, {}};
+  std::size_t index = 0;
+  for (const TraceSignal& signal : columns.common) {
+    left.columns.emplace_back(index, signal);
+    right.columns.emplace_back(index++, signal);
+  }
+  for (const TraceSignal& signal : columns.before) left.columns.emplace_back(index++, signal);
+  for (const TraceSignal& signal : columns.after) right.columns.emplace_back(index++, signal);
+  addGivenOfTwo(left, right, trace);
+  return trace;
 }
 
 /// "I0.2 becomes 1 in scan 3": the last change of an input before the difference.
@@ -150,23 +174,19 @@ void DifferenceReport::describe(Comparison& comparison, const std::string& form)
   const Inputs read = inputs();
   std::vector<TraceSignal> common = read.common, before, after;
   common.insert(common.end(), read.before.begin(), read.before.end());
-  if (const auto operand = operandOf(run_.addressBefore)) before.push_back(signalOf(*sides_.runBefore, *operand));
-  if (const auto operand = operandOf(run_.addressAfter)) after.push_back(signalOf(*sides_.runAfter, *operand));
+  addOperand(before, *sides_.runBefore, run_.addressBefore);
+  addOperand(after, *sides_.runAfter, run_.addressAfter);
   const Trace table = joined(common, before, after);
   if (const std::string change = lastChange(table, common.size()); !change.empty()) comparison.notes.push_back(change);
   for (const auto& [choice, value] : run_.readings) {
     const ChoiceInfo& info = choiceInfo(choice);
     comparison.notes.push_back(fmt::format("under {0} = {1} (sim: --choice {0}={1})", info.key, info.values[value]));
   }
-  for (const std::string& needed : run_.beyondTrace)
-    comparison.notes.push_back(
-        fmt::format("a trace does not hold {}, which this run needs: 'rungproof sim' does not repeat it", needed));
   for (const bool isOld : {true, false}) {
     const Program& program = isOld ? *sides_.runBefore : *sides_.runAfter;
     const std::string start = startText(program, options_.prover.choices, witnessOf(run_, isOld));
     if (!start.empty())
-      comparison.notes.push_back(fmt::format("memory of {} at the start, which a trace does not hold: {}",
-                                             isOld ? "OLD" : "NEW", start));
+      comparison.notes.push_back(fmt::format("memory of {} at the start: {}", isOld ? "OLD" : "NEW", start));
   }
   for (const std::string& line : tableOf(table)) comparison.notes.push_back(line);
   if (form == "none") return;

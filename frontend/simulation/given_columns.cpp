@@ -42,7 +42,7 @@ static_assert([] {
   return true;
 }());
 
-constexpr std::string_view memoryWord = "memory.";
+constexpr std::string_view memoryWord = "memory.", presetWord = "set.";
 
 std::string registerName(const RegInfo& info) {
   std::string name(info.name);
@@ -93,12 +93,53 @@ class Asked final : public InstructionObserver {
 
 void addItem(std::string& cell, const std::string& item) { cell += (cell.empty() ? "" : " ") + item; }
 
-/// Whether the columns of the trace set this input already.
-bool isInColumns(const std::vector<TraceSignal>& signals, const Concrete::Store& state, const PresetValue& input) {
-  if (!isInputColumn(input.operand) || valueIn(state, input.operand) != input.value) return false;
-  return std::ranges::any_of(signals, [&](const TraceSignal& signal) {
-    return overlaps(signal.operand, input.operand) && bits(signal.operand.width) >= bits(input.operand.width);
+/// The inputs as the surroundings hold them: what columns of a stimulus have to come to.
+class HeldInputs {
+ public:
+  void set(const PresetValue& input) {
+    const Operand& o = input.operand;
+    if (o.width == Width::Bit) {
+      std::uint8_t& byte = bytes_[{o.area, o.offset}];
+      const auto mask = static_cast<std::uint8_t>(1U << o.bit);
+      byte = static_cast<std::uint8_t>(input.value != 0 ? byte | mask : byte & ~mask);
+      return;
+    }
+    const auto count = static_cast<std::uint32_t>(bytes(o.width));
+    for (std::uint32_t i = 0; i < count; ++i)
+      bytes_[{o.area, o.offset + i}] = static_cast<std::uint8_t>(input.value >> (8 * (count - 1 - i)));
+  }
+  std::uint64_t get(const Operand& o) const {
+    if (o.width == Width::Bit) return byteAt(o.area, o.offset) >> o.bit & 1U;
+    std::uint64_t value = 0;
+    for (int i = 0; i < bytes(o.width); ++i)
+      value = value << 8 | byteAt(o.area, o.offset + static_cast<std::uint32_t>(i));
+    return value;
+  }
+
+ private:
+  std::uint8_t byteAt(Area area, std::uint32_t byte) const {
+    const auto found = bytes_.find({area, byte});
+    return found == bytes_.end() ? std::uint8_t{0} : found->second;
+  }
+  std::map<std::pair<Area, std::uint32_t>, std::uint8_t> bytes_;
+};
+
+/// Whether a column has all bits of an input.
+bool isCovered(const std::vector<std::pair<std::size_t, TraceSignal>>& columns, const Operand& input) {
+  return std::ranges::any_of(columns, [&](const auto& column) {
+    const Operand& operand = column.second.operand;
+    return isInputColumn(operand) && overlaps(operand, input) && bits(operand.width) >= bits(input.width) &&
+           operand.offset <= input.offset;
   });
+}
+
+/// "set.I0.0=1"; "set.I[32]=1" where no address means the byte.
+std::string presetItem(const Program& program, const Operand& operand, std::uint64_t value) {
+  Failure failure;
+  const std::string name = toString(operand);
+  const auto signal = signalNamed(program, name, failure);
+  if (signal && toString(signal->operand) == name) return fmt::format("{}{}={}", presetWord, name, value);
+  return fmt::format("{}{}[{}]={}", presetWord, areaInfo(operand.area).name, operand.offset, value);
 }
 
 std::string startOf(const Program& program, const Choices& choices, const Concrete::Store& initial) {
@@ -156,25 +197,35 @@ std::optional<std::string_view> firstRefused(std::string_view cell, Visit&& visi
 
 std::string_view externalName(External kind) { return externalWords[static_cast<std::size_t>(kind)].name; }
 
-void addGiven(const Program& program, const Choices& choices, const Witness& witness, Trace& trace) {
+GivenCells givenOf(const GivenSide& side, const Trace& trace) {
+  const auto& [program, choices, witness, columns] = side;
   PlaceTexts places(program);
-  if (witness.scanCount != trace.rows.size()) return;  // a part of a run repeats nothing
-  trace.isWhole = true;
-  trace.hasDevices = true;
-  if (witness.initial) trace.startValues = startOf(program, choices, *witness.initial);
-  std::size_t row = 0;
+  GivenCells cells;
+  if (witness.initial) cells.start = startOf(program, choices, *witness.initial);
   Asked asked;
+  HeldInputs held;
+  std::optional<std::size_t> last;
   replay(
       program, choices, witness.scans, witness.initial ? &*witness.initial : nullptr,
-      [&](const Concrete::Store& state, std::size_t at) {
+      [&](const Concrete::Store&, std::size_t at) {
         const ReplayScan& scan = witness.scans[at];
-        TraceRow& written = trace.rows[row++];
-        written.events = eventsText(program, scan.script.events, /*withQueue=*/true);
-        std::string& cell = written.given;
+        const TraceRow& row = trace.rows[cells.events.size()];
+        cells.events.push_back(eventsText(program, scan.script.events, /*withQueue=*/true));
+        std::string& cell = cells.given.emplace_back();
+        // What is held needs no more than the columns of inputs; memory is written once where scans are alike.
         for (const PresetValue& input : scan.inputs) {
-          if (!isInColumns(trace.signals, state, input))
-            addItem(cell, fmt::format("set.{}={}", toString(input.operand), input.value));
+          const bool isHeld = isInputColumn(input.operand);
+          if (isHeld ? held.get(input.operand) != input.value && !isCovered(columns, input.operand) : last != at)
+            addItem(cell, presetItem(program, input.operand, input.value));
+          if (isHeld) held.set(input);
         }
+        for (const auto& [index, signal] : columns) {
+          if (!isInputColumn(signal.operand) || !row.values[index]) continue;
+          const std::uint64_t value = held.get(signal.operand);
+          if (valueOf(*row.values[index], signal.type, signal.width()) != value)
+            addItem(cell, presetItem(program, signal.operand, value));
+        }
+        last = at;
         if (scan.script.ticks10) addItem(cell, fmt::format("tick10={}", *scan.script.ticks10));
         if (scan.script.ticks100) addItem(cell, fmt::format("tick100={}", *scan.script.ticks100));
         for (const ScanScript::Tick& tick : scan.script.ticks1)
@@ -185,9 +236,41 @@ void addGiven(const Program& program, const Choices& choices, const Witness& wit
                                     places.of({value.site.instruction, 0}), value.value));
         }
         asked.clear();
-        return row < trace.rows.size();
+        return cells.events.size() < trace.rows.size();
       },
       &asked);
+  cells.events.resize(trace.rows.size());
+  cells.given.resize(trace.rows.size());
+  return cells;
+}
+
+void addGiven(const Program& program, const Choices& choices, const Witness& witness, Trace& trace) {
+  if (witness.scanCount != trace.rows.size()) return;  // a part of a run repeats nothing
+  GivenSide side{program, choices, witness, {}};
+  for (std::size_t i = 0; i < trace.signals.size(); ++i) side.columns.emplace_back(i, trace.signals[i]);
+  GivenCells cells = givenOf(side, trace);
+  trace.isWhole = true;
+  trace.hasDevices = true;
+  trace.startValues = std::move(cells.start);
+  for (std::size_t i = 0; i < trace.rows.size(); ++i) {
+    trace.rows[i].events = std::move(cells.events[i]);
+    trace.rows[i].given = std::move(cells.given[i]);
+  }
+}
+
+void addGivenOfTwo(const GivenSide& before, const GivenSide& after, Trace& trace) {
+  if (before.witness.scanCount != trace.rows.size()) return;
+  GivenCells left = givenOf(before, trace), right = givenOf(after, trace);
+  trace.isWhole = true;
+  trace.hasDevices = true;
+  trace.startValues = std::move(left.start);
+  trace.newStartValues = std::move(right.start);
+  for (std::size_t i = 0; i < trace.rows.size(); ++i) {
+    trace.rows[i].events = std::move(left.events[i]);
+    trace.rows[i].newEvents = std::move(right.events[i]);
+    trace.rows[i].given = std::move(left.given[i]);
+    trace.rows[i].newGiven = std::move(right.given[i]);
+  }
 }
 
 std::optional<ScanPlace> GivenReader::place(std::string_view text) {
@@ -212,12 +295,15 @@ bool GivenReader::readItem(std::string_view item, StimulusRow& row) {
   const auto value = equals == std::string_view::npos ? std::nullopt : givenNumber(item.substr(equals + 1));
   if (!value) return false;
   std::string_view name = item.substr(0, equals);
-  if (name.starts_with("set.")) {
+  if (name.starts_with(presetWord)) {
+    name.remove_prefix(presetWord.size());
     Failure failure;
-    const auto signal = signalNamed(program_, name.substr(4), failure);
-    if (!signal) return false;
-    row.presets.push_back({signal->operand, *value});
-    return true;
+    if (const auto signal = signalNamed(program_, name, failure))
+      return row.presets.push_back({signal->operand, *value}), true;
+    const auto byte = indexedIn(name);
+    const auto area = std::ranges::find(areaTable, byte ? byte->name : std::string_view(), &AreaInfo::name);
+    if (!byte || area == areaTable.end() || *value > 255) return false;
+    return row.presets.push_back({direct(area->area, Width::Byte, byte->index), *value}), true;
   }
   const auto ticks = static_cast<std::uint32_t>(std::min<std::uint64_t>(*value, 0xFFFFFFFFU));
   if (name == "tick10") return row.ticks10 = ticks, true;

@@ -25,6 +25,12 @@ constexpr double largestTimeMs = 1e12;
 constexpr double mostAtOnce = 1000;        ///< events of one kind
 constexpr double mostPulses = 12'000'000;  ///< of a counter in one scan: 200 kHz for 60 s, the longest scan
 
+/// Columns that are no signals.
+bool isOwnColumn(std::string_view name) {
+  constexpr std::string_view names[] = {"scan", "time_ms", "scan_ms", "event", "device", "given", "start"};
+  return std::ranges::find(names, name) != std::end(names);
+}
+
 bool isOpen(const std::string& text) { return text.empty() || text == "x" || text == "X"; }
 
 /// What the columns of a file mean beside the signals.
@@ -63,7 +69,7 @@ class TableReader {
     if (key != "scan" && key != "time_ms")
       fail(table_.heading[0], fmt::format("the first column is '{}'", table_.heading[0].text),
            "name it 'scan' or 'time_ms'");
-    std::set<std::string> seen;
+    std::set<std::string> seen, signals;
     const auto hasHeading = [&](std::string_view name) {
       return std::ranges::any_of(table_.heading, [&](const CsvCell& cell) { return lowered(cell.text) == name; });
     };
@@ -72,11 +78,15 @@ class TableReader {
       if (others_.contains(i)) continue;
       const CsvCell& cell = table_.heading[i];
       const std::string name = lowered(cell.text);
-      // Behind its own columns a witness may have variables of their names.
-      const bool isOfWitness =
-          isWitness && ((name == "given" && frame.given < 0) || (name == "start" && frame.start < 0));
-      if (!isOfWitness && !seen.insert(name).second)
-        fail(cell, fmt::format("column '{}' stands here twice", cell.text), "take one of the two out");
+      if (!seen.insert(name).second) {
+        // A variable of the program may be called like a column of witnesses, which stands in front of it.
+        const bool isVariable = isWitness && isOwnColumn(name) && signals.insert(name).second;
+        if (isVariable)
+          frame.signals.push_back(i);
+        else
+          fail(cell, fmt::format("column '{}' stands here twice", cell.text), "take one of the two out");
+        continue;
+      }
       if (i == 0) continue;
       if (name.empty()) {
         fail(cell, "this column has no heading", "write the name of its signal in the first row");
@@ -86,9 +96,9 @@ class TableReader {
         frame.event = static_cast<int>(i);
       } else if (name == "device") {
         frame.device = static_cast<int>(i);
-      } else if (isOfWitness && name == "given") {
+      } else if (isWitness && name == "given") {
         frame.given = static_cast<int>(i);
-      } else if (isOfWitness) {
+      } else if (isWitness && name == "start") {
         frame.start = static_cast<int>(i);
       } else if (name == "time_ms" && i == 1 && !frame.isByTime) {
         frame.isRecorded = true;

@@ -142,10 +142,10 @@ std::vector<std::string> tableOf(const Trace& trace, std::size_t rows) {
     std::uint64_t first = 0, last = 0, timeUs = 0;  ///< of the scans that the row stands for
   };
   std::vector<Row> table{{"scan", "ms", {}}};
-  const bool hasEvents = trace.hasEvents();
+  const bool hasEvents = trace.hasEvents(), hasTwoEvents = trace.hasTwoEvents();
   const bool hasDevices = std::ranges::any_of(trace.rows, [](const TraceRow& row) { return !row.devices.empty(); });
-  if (hasEvents) table[0].values.push_back(trace.hasTwoEvents ? "old.events" : "events");
-  if (hasEvents && trace.hasTwoEvents) table[0].values.push_back("new.events");
+  if (hasEvents) table[0].values.push_back(hasTwoEvents ? "old.events" : "events");
+  if (hasTwoEvents) table[0].values.push_back("new.events");
   if (hasDevices) table[0].values.push_back("devices");
   for (const TraceSignal& signal : trace.signals)
     table[0].values.push_back(signal.symbol.empty() ? signal.name : signal.symbol);
@@ -156,7 +156,7 @@ std::vector<std::string> tableOf(const Trace& trace, std::size_t rows) {
     if (!isSame) {
       Row next{"", "", {}, row.scan};
       if (hasEvents) next.values.push_back(row.events);
-      if (hasEvents && trace.hasTwoEvents) next.values.push_back(row.newEvents);
+      if (hasTwoEvents) next.values.push_back(row.newEvents);
       if (hasDevices) next.values.push_back(row.devices);
       for (std::size_t s = 0; s < trace.signals.size(); ++s)
         next.values.push_back(row.values[s] ? numberText(*row.values[s], trace.signals[s].type) : "-");

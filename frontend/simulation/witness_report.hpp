@@ -10,10 +10,14 @@
 
 namespace rungproof {
 
+/// Longer runs than that lose their beginning in a trace. A counter that counts down to the end of its range and back
+/// needs 131,072 scans.
+inline constexpr std::size_t mostTraceRows = 1'000'000;
+
 /// Every scan of the run with the given signals; at most `limit` rows, the last ones. `hidesIdle`: inputs that do not
 /// matter have no value, for the table; a stimulus has to have them.
 Trace traceOf(const Program& program, const Choices& choices, const Witness& witness,
-              const std::vector<TraceSignal>& signals, std::size_t limit = 100000, bool hidesIdle = false);
+              const std::vector<TraceSignal>& signals, std::size_t limit = mostTraceRows, bool hidesIdle = false);
 
 /// The inputs that matter to the witness first (those it sets, if that is not known), then the addresses of the
 /// property, each once.

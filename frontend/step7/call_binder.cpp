@@ -47,6 +47,14 @@ bool actsBeyondParameters(BlockKey callee) {
   return std::ranges::find(numbers, callee.number) != numbers.end();
 }
 
+/// What a call of an FB hands over by name or by a pointer instead of copying it into the instance.
+bool isHandedBesideInstance(const Type& type) {
+  const bool isNumber = type.kind == TypeKind::Timer || type.kind == TypeKind::Counter ||
+                        type.kind == TypeKind::BlockDb || type.kind == TypeKind::BlockFc ||
+                        type.kind == TypeKind::BlockFb || type.kind == TypeKind::BlockSdb;
+  return isNumber || isPointerKind(type.kind) || s7300::isComplex(type);
+}
+
 /// A pointer, or a variable of complex type: a block that works over many scans may write there in between.
 bool hasMemoryOfItsOwn(const BoundOperand& bound) {
   if (bound.constant)
@@ -165,9 +173,19 @@ bool StatementBinder::call(const Desc& desc, const Statement& statement) {
     if (statement.hasArguments)
       return refuse(Syntax::CallList, statement.operand.span,
                     fmt::format("what {} gives in braces is not known", mnemonic));
-    if (isBlockWithInstance || std::ranges::any_of(parameters->fields, isParameter))
+    // An FB works on the data that DI and AR2 name; the editor looks at no parameters (002:246). Those of which the
+    // instance holds no value have none.
+    const bool isFb = callee.kind == BlockKind::Fb;
+    const bool lacksSome = std::ranges::any_of(parameters->fields, [&](const Field& field) {
+      return isParameter(field) && (!isFb || isHandedBesideInstance(field.type));
+    });
+    if (callee.kind == BlockKind::Sfb || lacksSome)
       return refuse(Syntax::CallList, statement.operand.span,
                     fmt::format("{} gives no parameters, but {} has some", mnemonic, toString(callee)));
+    if (isFb) {
+      append(desc, statement, std::move(instruction.operands));
+      return true;
+    }
   } else if (isBlockWithInstance) {
     std::optional<rungproof::Operand> instance =
         isMultiInstance ? std::optional(target.operand) : instanceOf(statement, callee);

@@ -9,6 +9,8 @@
 #include <array>
 #include <utility>
 
+#include "ir/s7300/library_contract.hpp"
+
 namespace rungproof::step7 {
 
 namespace {
@@ -150,19 +152,42 @@ low:  L #LO_LIM; T #OUT;
 out:  L 8; T #RET_VAL;
       CLR; SAVE; BEU;)";
 
+// ((IN - LO_LIM) / (HI_LIM - LO_LIM)) * (27648 - k1) + k1, each step a REAL (002:2649-2651). How it rounds is not
+// stated: to the nearest number, or to the other one beside it. General knowledge: beyond the limits as FC 105.
+constexpr std::string_view unscale = R"(
+VAR_TEMP
+  k1 : REAL;
+  span : REAL;
+  x : REAL;
+  near : DINT;
+  down : DINT;
+  other : BOOL;
+END_VAR
+BEGIN
+NETWORK
+      A #BIPOLAR; JC both;
+      L 0.0; T #k1; JU go;
+both: L -2.7648e+004; T #k1;
+go:   L #IN; L #HI_LIM; >R; JC high;
+      L #IN; L #LO_LIM; <R; JC low;
+      L #HI_LIM; L #LO_LIM; -R; T #span;
+      L #IN; L #LO_LIM; -R; L #span; /R; T #x;
+      L 2.7648e+004; L #k1; -R; L #x; *R; L #k1; +R; T #x;
+      RND; T #near;
+      AN #other; JC give;
+      L #x; RND-; T #down; L #x; RND+; L #down; +D; L #near; -D; T #near;
+give: L #near; T #OUT;
+      L 0; T #RET_VAL;
+      SET; SAVE; BEU;
+high: L 27648; T #OUT; JU out;
+low:  L #k1; RND; T #OUT;
+out:  L 8; T #RET_VAL;
+      CLR; SAVE; BEU;)";
+
 using enum BlockType;
 
-/// Blocks whose outputs depend on what no program tells: they are any value (temporary data that nobody has written).
-/// What they do besides - start, delay or end interrupts, mask errors or give their result - is ir/s7300/control.hpp's.
-/// How FC 106 rounds is not stated, and neither is which characters numbers have in a STRING (FC 5, 16, 30, 37 to 39:
-/// ir/s7300/system_block.hpp).
-constexpr auto contractRows = std::to_array<std::pair<BlockType, std::uint16_t>>({
-    {Sfc, 28}, {Sfc, 29}, {Sfc, 30}, {Sfc, 31}, {Sfc, 32}, {Sfc, 33}, {Sfc, 34}, {Sfc, 36},
-    {Sfc, 37}, {Sfc, 38}, {Sfc, 39}, {Sfc, 40}, {Sfc, 41}, {Sfc, 42}, {Sfc, 44}, {Fc, 5},
-    {Fc, 16},  {Fc, 30},  {Fc, 37},  {Fc, 38},  {Fc, 39},  {Fc, 106},
-});
-
-/// Statements that give every output, ENO and the registers a value of temporary data that nobody has written.
+/// Statements that give every output, ENO and the registers a value of temporary data that nobody has written. Where
+/// that is 0, as in `sim`, the block has met no error: RET_VAL is 0 and BR 1 (002:2387).
 std::string anyOutputs(const s7300::LibraryBlock& block) {
   std::string data = "VAR_TEMP\n  eno : BOOL;\n  accu1 : DWORD;\n  accu2 : DWORD;\n  ar1 : DWORD;\n", statements;
   const auto parameters = s7300::interfaceOf(block);
@@ -172,7 +197,7 @@ std::string anyOutputs(const s7300::LibraryBlock& block) {
     data += fmt::format("  any_{} : {};\n", field.name, s7300::toString(field.type));
     statements += fmt::format("{0} #any_{1}; {2} #{1};\n", isBit ? "A" : "L", field.name, isBit ? "=" : "T");
   }
-  return data + "END_VAR\nBEGIN\nNETWORK\n" + statements + "L #ar1; LAR1; L #accu2; L #accu1; A #eno; SAVE; BEU;";
+  return data + "END_VAR\nBEGIN\nNETWORK\n" + statements + "L #ar1; LAR1; L #accu2; L #accu1; AN #eno; SAVE; BEU;";
 }
 
 constexpr auto sourceRows = std::to_array<SourceRow>({
@@ -185,6 +210,7 @@ constexpr auto sourceRows = std::to_array<SourceRow>({
     {Sfc, 43, nothing},
     {Sfc, 47, nothing},
     {Fc, 105, scale},
+    {Fc, 106, unscale},
 });
 
 }  // namespace
@@ -193,13 +219,9 @@ std::string librarySource(const s7300::LibraryBlock& block) {
   if (isBuiltIn(block)) return std::string(emptyBody);
   const auto row = std::ranges::find_if(
       sourceRows, [&](const SourceRow& r) { return r.type == block.type && r.number == block.number; });
-  if (row == sourceRows.end()) return isContractOnly(block) ? anyOutputs(block) : std::string();
+  if (row == sourceRows.end()) return s7300::isContractOnly(block) ? anyOutputs(block) : std::string();
   const std::string text = std::string(row->head).append(row->text);
   return text.find("BEGIN") != std::string::npos ? text : "BEGIN\nNETWORK\n" + text;
-}
-
-bool isContractOnly(const s7300::LibraryBlock& block) {
-  return std::ranges::find(contractRows, std::pair(block.type, block.number)) != contractRows.end();
 }
 
 bool isModelled(const s7300::LibraryBlock& block) {

@@ -16,8 +16,6 @@ inline constexpr std::string_view emptyBody = "BEGIN\nNETWORK\n";
 /// Whether calls of the block are modelled: by its statements, by ir/s7300/system_block.hpp, by its contract, or as SFC
 /// 46, which stops the CPU.
 bool isModelled(const s7300::LibraryBlock& block);
-/// Whether only its contract is modelled: every output is any value after each call.
-bool isContractOnly(const s7300::LibraryBlock& block);
 /// What follows the interface of a block in a source: temporary data where it needs some, BEGIN, the statements; empty:
 /// calls of it are not covered.
 std::string librarySource(const s7300::LibraryBlock& block);

@@ -16,6 +16,7 @@
 #include "ir/s7300/cpu.hpp"
 #include "ir/s7300/declarations.hpp"
 #include "ir/s7300/dialect.hpp"
+#include "ir/s7300/library_contract.hpp"
 #include "ir/s7300/pointer_parameter.hpp"
 
 namespace rungproof::step7 {
@@ -329,8 +330,8 @@ class ProjectBuilder {
       const auto in = static_cast<std::uint32_t>(numberOfBlock(number));
       if (const s7300::LibraryBlock* block = s7300::libraryBlock(blockTypeOf(number), in)) {
         const std::string text = librarySource(*block);
-        const std::string name = fmt::format("{} {}", blockName(number), block->name);
-        if (!text.empty()) libraryBlock(number, name, interfaceOf(*block), text, isBuiltIn(*block), statements);
+        if (!text.empty())
+          libraryBlock(number, s7300::standInName(*block), interfaceOf(*block), text, isBuiltIn(*block), statements);
         continue;
       }
       const bool isFunction = blockTypeOf(number) == BlockType::Sfc;

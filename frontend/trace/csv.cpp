@@ -1,10 +1,13 @@
-// Traces as CSV: scan, time_ms at the end of the scan, scan_ms, event if interrupts are known (old.event and
-// new.event where they come at different places of two programs), device if
-// devices do only what stands there, given and start where a witness says all that the surroundings did, then one
-// column per signal. The file is a stimulus as well: having time_ms behind scan, it is known as a recording
-// (frontend/simulation/stimulus_reader.hpp). Tested by tests/trace/csv_test.cpp.
+// Traces as CSV: scan, time_ms at the end of the scan, scan_ms, event if interrupts are known, device if devices do
+// only what stands there, given and start where a witness says all that the surroundings did, then one column per
+// signal. Of two programs old.event and new.event, and so on, where these do not agree. The file is a stimulus as well:
+// having time_ms behind scan, it is known as a recording (frontend/simulation/stimulus_reader.hpp). Tested by
+// tests/trace/csv_test.cpp.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <ostream>
 
 #include "frontend/text/safe_text.hpp"
@@ -14,33 +17,81 @@ namespace rungproof {
 
 namespace {
 
-void appendHead(const Trace& trace, std::string& text) {
+/// In any case of letters.
+bool isCalled(std::string_view name, std::string_view lower) {
+  return std::ranges::equal(name, lower,
+                            [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+}
+
+/// A column that only a run has, of the first program or of both, and of the second one.
+struct RunColumn {
+  std::string_view name;
+  const std::string& (*text)(const Trace&, const TraceRow&, bool isNew);
+  bool isShown = false;
+  bool isSplit = false;  ///< the programs do not agree
+};
+
+using RunColumns = std::array<RunColumn, 4>;
+
+RunColumns runColumns(const Trace& trace) {
+  RunColumns columns = {{
+      {"event",
+       [](const Trace&, const TraceRow& row, bool isNew) -> const std::string& {
+         return isNew ? row.newEvents : row.events;
+       }},
+      {"device",
+       [](const Trace&, const TraceRow& row, bool isNew) -> const std::string& {
+         return isNew ? row.newDevices : row.devices;
+       }},
+      {"given",
+       [](const Trace&, const TraceRow& row, bool isNew) -> const std::string& {
+         return isNew ? row.newGiven : row.given;
+       }},
+      {"start",
+       [](const Trace& of, const TraceRow& row, bool isNew) -> const std::string& {
+         static const std::string nothing;
+         return row.scan != 1 ? nothing : isNew ? of.newStartValues : of.startValues;
+       }},
+  }};
+  // A variable called Event is one only where the column stands in front of it.
+  const bool hasNamesake = trace.isWhole && std::ranges::any_of(trace.signals, [](const TraceSignal& signal) {
+                             return isCalled(signal.name, "event");
+                           });
+  columns[0].isShown = !trace.isByTime && (trace.hasEvents() || hasNamesake);
+  columns[1].isShown = !trace.isByTime && trace.hasDevices;
+  columns[2].isShown = columns[3].isShown = trace.isWhole;
+  for (RunColumn& column : columns) {
+    column.isSplit = trace.hasTwoSides && std::ranges::any_of(trace.rows, [&](const TraceRow& row) {
+                       return column.text(trace, row, false) != column.text(trace, row, true);
+                     });
+  }
+  return columns;
+}
+
+void appendHead(const Trace& trace, const RunColumns& columns, std::string& text) {
   text += trace.isByTime ? "time_ms" : "scan,time_ms,scan_ms";
-  if (!trace.isByTime && trace.hasEvents()) text += trace.hasTwoEvents ? ",old.event,new.event" : ",event";
-  if (!trace.isByTime && trace.hasDevices) text += ",device";
-  if (trace.isWhole) text += ",given,start";
+  for (const RunColumn& column : columns) {
+    if (!column.isShown) continue;
+    text += column.isSplit ? fmt::format(",old.{0},new.{0}", column.name) : fmt::format(",{}", column.name);
+  }
   for (const auto& [name, value] : trace.start) text += ',' + csvCell(name);
   for (const TraceSignal& signal : trace.signals) text += ',' + csvCell(signal.name);
   text += '\n';
 }
 
-/// What a run alone tells stands between the times and the signals.
-struct BesideSignals {
-  bool hasEvents = false, hasDevices = false, isFirst = false;
-};
-
-void appendRow(const Trace& trace, const TraceRow& row, const BesideSignals& beside, std::string& text) {
+void appendRow(const Trace& trace, const TraceRow& row, const RunColumns& columns, bool isFirst, std::string& text) {
   if (!trace.isByTime) {
     const fmt::format_int scan(row.scan);
     text.append(scan.data(), scan.size()) += ',';
   }
   appendMilliseconds(row.timeUs, text);
   if (!trace.isByTime) appendMilliseconds(row.scanUs, text += ',');
-  if (beside.hasEvents) text += ',' + csvCell(row.events);
-  if (beside.hasEvents && trace.hasTwoEvents) text += ',' + csvCell(row.newEvents);
-  if (beside.hasDevices) text += ',' + csvCell(row.devices);
-  if (trace.isWhole) text += ',' + csvCell(row.given) + ',' + (beside.isFirst ? csvCell(trace.startValues) : "");
-  for (const auto& [name, value] : trace.start) text += ',' + (beside.isFirst ? std::to_string(value) : "");
+  for (const RunColumn& column : columns) {
+    if (!column.isShown) continue;
+    text += ',' + csvCell(column.text(trace, row, false));
+    if (column.isSplit) text += ',' + csvCell(column.text(trace, row, true));
+  }
+  for (const auto& [name, value] : trace.start) text += ',' + (isFirst ? std::to_string(value) : "");
   for (std::size_t i = 0; i < trace.signals.size(); ++i) {
     text += ',';
     if (row.values[i]) appendNumber(*row.values[i], trace.signals[i].type, text);
@@ -48,17 +99,17 @@ void appendRow(const Trace& trace, const TraceRow& row, const BesideSignals& bes
   text += '\n';
 }
 
+void appendPlainHead(const Trace& trace, std::string& text) { appendHead(trace, {}, text); }
 void appendPlainRow(const Trace& trace, const TraceRow& row, std::string& text) {
-  appendRow(trace, row, {.isFirst = row.scan == 1}, text);
+  appendRow(trace, row, {}, row.scan == 1, text);
 }
 
 void write(const Trace& trace, std::string_view, std::ostream& out) {
-  BesideSignals beside{!trace.isByTime && trace.hasEvents(), !trace.isByTime && trace.hasDevices};
+  const RunColumns columns = runColumns(trace);
   std::string text;
-  appendHead(trace, text);
+  appendHead(trace, columns, text);
   for (const TraceRow& row : trace.rows) {
-    beside.isFirst = &row == trace.rows.data();
-    appendRow(trace, row, beside, text);
+    appendRow(trace, row, columns, &row == trace.rows.data(), text);
     out << text;
     text.clear();
   }
@@ -70,7 +121,7 @@ void write(const Trace& trace, std::string_view, std::ostream& out) {
 extern constexpr TraceFormat csvTrace = {.ending = ".csv",
                                          .summary = "comma-separated values, also a stimulus",
                                          .write = write,
-                                         .appendHead = appendHead,
+                                         .appendHead = appendPlainHead,
                                          .appendRow = appendPlainRow};
 
 }  // namespace rungproof

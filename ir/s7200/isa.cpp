@@ -1,6 +1,7 @@
 // The table of the S7-200's instructions, and their other names.
 #include "ir/s7200/isa.hpp"
 
+#include "ir/s7200/error_codes.hpp"
 #include "ir/s7200/isa_list.hpp"
 
 namespace rungproof {
@@ -21,5 +22,7 @@ const InstructionTable& s7200Instructions() {
   static const InstructionTable table(isa::instructionTable, aliases);
   return table;
 }
+
+bool readsErrorStatus(const Desc& desc) { return desc.stl == isa::GetError::desc.stl; }
 
 }  // namespace rungproof

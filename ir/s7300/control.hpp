@@ -16,6 +16,7 @@
 namespace rungproof {
 
 inline constexpr int delayInterrupts = 41;  ///< SFC 41 (002:2353)
+inline constexpr int warmRestart = 100;     ///< OB100 (002:1373)
 
 /// An organization block, where `condition` holds: nothing of the registers outlives it, and what they hold at its
 /// start is any value.
@@ -101,10 +102,10 @@ void Scan<D, Hooks>::serveError() {
   serve(m_.step7.accessError, accessErrorBlock);
 }
 
-/// Of its 20 bytes (002:2000-2015) the number is known; of OB1 event class, kind of scan and priority; of OB20 to OB23
-/// SIGN (002:1210); of OB121 the error (general knowledge). All others stay any value: classes of other events stand
-/// nowhere in the manual, OB121 has the priority of the block that it interrupts (002:1282), and not every CPU says
-/// where the error was.
+/// Of its 20 bytes (002:2000-2015) the number is known; of OB1 event class, kind of scan and priority; of OB100 that
+/// the start is a manual or an automatic one (002:1377); of OB20 to OB23 SIGN (002:1210); of OB121 the error (general
+/// knowledge). All others stay any value: classes of other events stand nowhere in the manual, OB121 has the priority
+/// of the block that it interrupts (002:1282), and not every CPU says where the error was.
 template <class D, class Hooks>
 void Scan<D, Hooks>::startInformation(std::uint32_t base, int number, const Step7Registers<D>& interrupted) {
   const auto save = [&](std::uint32_t byte, Bits value, int width = 8) {
@@ -116,6 +117,10 @@ void Scan<D, Hooks>::startInformation(std::uint32_t base, int number, const Step
     save(0, m_.d.literal(0x11, 8));
     save(1, m_.d.select(m_.getBit(Reg::FirstScan), m_.d.literal(first, 8), m_.d.literal(3, 8), 8));
     save(2, m_.d.literal(1, 8));
+  }
+  if (number == warmRestart) {
+    const Bits given = m_.store.load(Area::L, (base + 1) * 8, 8), automatic = m_.d.literal(0x82, 8);
+    save(1, m_.d.select(m_.d.equal(given, automatic, 8), automatic, m_.d.literal(0x81, 8), 8));
   }
   if (isDelayEvent(eventOfBlock(number)))
     save(6, m_.get(Reg::DelaySign, static_cast<std::uint32_t>(number - firstDelayBlock)), 16);

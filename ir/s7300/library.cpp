@@ -22,8 +22,10 @@ constexpr auto libraryRows = std::to_array<LibraryBlock>({
     {Sfb, 5, "TOF", "IN:BOOL PT:TIME|Q:BOOL ET:TIME||STATE:BYTE STIME:TIME ATIME:TIME"},
     {Sfc, 0, "SET_CLK", "PDT:DT|RET_VAL:INT"},
     {Sfc, 1, "READ_CLK", "|RET_VAL:INT CDT:DT"},
+    {Sfc, 15, "DPWR_DAT", "LADDR:WORD RECORD:ANY|RET_VAL:INT"},
     {Sfc, 20, "BLKMOV", "SRCBLK:ANY|RET_VAL:INT DSTBLK:ANY"},
     {Sfc, 21, "FILL", "BVAL:ANY|RET_VAL:INT BLK:ANY"},
+    {Sfc, 27, "UPDAT_PO", "PART:BYTE|RET_VAL:INT FLADDR:WORD"},
     {Sfc, 28, "SET_TINT", "OB_NR:INT SDT:DT PERIOD:WORD|RET_VAL:INT"},
     {Sfc, 29, "CAN_TINT", "OB_NR:INT|RET_VAL:INT"},
     {Sfc, 30, "ACT_TINT", "OB_NR:INT|RET_VAL:INT"},
@@ -104,10 +106,9 @@ const LibraryBlock* libraryBlockNamed(std::string_view name) {
 }
 
 std::span<const std::uint16_t> functionsBeyondParameters() {
-  // DPWR_DAT, CREAT_DB, DEL_DB, UPDAT_PI, UPDAT_PO, GD_RCV, SET, RSET, CREA_DBL, READ_DBL, WRIT_DBL, CREA_DB, SYNC_PI,
+  // CREAT_DB, DEL_DB, UPDAT_PI, GD_RCV, SET, RSET, CREA_DBL, READ_DBL, WRIT_DBL, CREA_DB, SYNC_PI,
   // SYNC_PO (002:2342-2358, general knowledge)
-  static constexpr auto numbers =
-      std::to_array<std::uint16_t>({15, 22, 23, 26, 27, 61, 79, 80, 82, 83, 84, 85, 126, 127});
+  static constexpr auto numbers = std::to_array<std::uint16_t>({22, 23, 26, 61, 79, 80, 82, 83, 84, 85, 126, 127});
   return numbers;
 }
 

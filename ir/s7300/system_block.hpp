@@ -12,7 +12,7 @@
 namespace rungproof {
 
 /// Every output, BR and the registers: any value. What a POINTER or an ANY leads to counts as output where the block
-/// may write it.
+/// may write it. BR is 1, no error, where nothing else is given (002:2387).
 template <class D>
 void anyOutputs(SystemArgs<D>& a) {
   for (std::uint32_t i = 0; i < a.pou.locals.size(); ++i) {
@@ -31,7 +31,7 @@ void anyOutputs(SystemArgs<D>& a) {
       a.set(i, a.any(local.size == 0 ? 1 : static_cast<int>(local.size) * 8));
     }
   }
-  a.finish(a.anyBit());
+  a.finish(a.d.lnot(a.anyBit()));
 }
 
 template <class D>

@@ -102,6 +102,11 @@ std::vector<Record> records() {
        {"--cpu", "224"}},
       {"interval clock = any value", "", block(1, "CALL SFC 64 (RET_VAL := MD 4);L MD 4;L L#5;>D;= Q 0.0"),
        "prove p: not Q0.0\n"},
+      {"what it sends to a DP slave is no output of the program", "",
+       block(1, "CALL SFC 15 (LADDR := W#16#3EA, RECORD := P#M 10.0 BYTE 8, RET_VAL := MW 4);A I 0.0;= Q 0.0"),
+       follows},
+      {"outputs are looked at where the scan ends, not where it writes them", "",
+       block(1, "CALL SFC 27 (PART := B#16#0, RET_VAL := MW 4, FLADDR := MW 6);A I 0.0;= Q 0.0"), follows},
       {"date and time = any value at each read", "",
        "DATA_BLOCK DB 5\nSTRUCT\n  c : DATE_AND_TIME;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n" +
            block(1, "CALL SFC 1 (RET_VAL := MW 82, CDT := DB5.c);L DB5.DBB 4;L 5;==I;= Q 0.0"),

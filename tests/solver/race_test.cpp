@@ -62,5 +62,50 @@ TEST(Race, WhatAQuestionLeavesOutIsNotTried) {
   EXPECT_EQ(race.questions()[0].verdict.method, "simulation");
 }
 
+/// Counts how often it is asked.
+class CountingEngine final : public Engine {
+ public:
+  explicit CountingEngine(int& turns) : turns_(turns) {}
+  Verdict advance(const Budget&) override {
+    ++turns_;
+    return {};
+  }
+
+ private:
+  int& turns_;
+};
+
+/// Questions that only the counting engine answers.
+std::vector<RaceQuestion> openQuestions(const BitSystem& system, Engine& engine, std::size_t count) {
+  RaceQuestion question = questionOf(system);
+  question.words = &engine;
+  question.techniques.keepOnly({Technique::WordIc3});
+  return std::vector<RaceQuestion>(count, question);
+}
+
+// Many questions are behind the one whose engine ends the time of all: none of them has a turn any more.
+TEST(Race, NoQuestionHasATurnWhenTheTimeIsOver) {
+  const BitSystem system = counterTo(20, 8);
+  int turns = 0;
+  CountingEngine engine(turns);
+  Race race(openQuestions(system, engine, 1000), {.jobs = 1});
+  RaceRun run;
+  run.deadline = Budget::Clock::now();
+  race.run(run);
+  EXPECT_EQ(turns, 0);
+}
+
+// A cancelled race ends as soon.
+TEST(Race, NoQuestionHasATurnWhenItIsCancelled) {
+  const BitSystem system = counterTo(20, 8);
+  const std::atomic<bool> cancel = true;
+  int turns = 0;
+  CountingEngine engine(turns);
+  Race race(openQuestions(system, engine, 1000), {.jobs = 2, .cancel = &cancel});
+  RaceRun run;
+  race.run(run);
+  EXPECT_EQ(turns, 0);
+}
+
 }  // namespace
 }  // namespace rungproof

@@ -30,7 +30,7 @@ std::vector<GapCase> gapCases() {
        "0;\n"
        "END_FUNCTION\n",
        "CALL FC 5 (x := MW 4);"},
-      {LibraryBlock, "", "CALL SFC 27 (PART := B#16#0, RET_VAL := MW 4, FLADDR := MW 6);"},
+      {LibraryBlock, "", "CALL SFC 26 (PART := B#16#0, RET_VAL := MW 4, FLADDR := MW 6);"},
       {SystemInstance, "DATA_BLOCK DB 14\nSFB 14\nBEGIN\nEND_DATA_BLOCK\n",
        "CALL SFB 14, DB 14 (REQ := M 0.0, ID := W#16#1, NDR := M 0.1, ADDR_1 := P#M 20.0 BYTE 2, RD_1 := P#Q 0.0 BYTE "
        "2);"},
@@ -76,7 +76,7 @@ TEST(Gaps, WhatHasNoPointer) {
 
 // Blocks of the system that change more than the places that their calls name.
 TEST(Gaps, BlocksOfTheSystem) {
-  for (const char* call : {"CALL SFC 27 (PART := B#16#0, RET_VAL := MW 4, FLADDR := MW 6);",
+  for (const char* call : {"CALL SFC 26 (PART := B#16#0, RET_VAL := MW 4, FLADDR := MW 6);",
                            "CALL SFC 61 (CIRCLE_ID := B#16#1, BLOCK_ID := B#16#1, RET_VAL := MW 4);",
                            "CALL SFB 47, DB 5 (LADDR := W#16#300, SW_GATE := M 0.0);"}) {
     const test::TemporaryFolder folder;

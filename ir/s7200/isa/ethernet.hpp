@@ -4,6 +4,7 @@
 // and from outside. Such networks are left out (Desc::modelling). Tests: tests/smart.
 #pragma once
 
+#include "ir/s7200/error_codes.hpp"
 #include "ir/s7200/isa/control.hpp"
 
 namespace rungproof::isa {
@@ -73,7 +74,8 @@ struct SetAddress {
   }
 };
 
-/// GERR: the code of the last run-time error, which it clears together with SM4.3. Which one of several it is, is open.
+/// GERR: the code of a run-time error, which it clears together with SM4.3. Which one of several it is, is open: any
+/// code of such an error.
 struct GetError {
   static constexpr Desc desc = [] {
     Desc d = ethernetDesc("GERR", "GET_ERROR", "get and clear the code of a run-time error", Modelling::Whole,
@@ -83,7 +85,13 @@ struct GetError {
   }();
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
-    const auto code = m.external(External::UnknownResult, 0, 16);
+    const auto any = m.external(External::UnknownResult, errorCodeIndex, 16);
+    auto isCode = m.d.constant(false);
+    for (const auto& [first, last] : errorCodes) {
+      const auto low = m.d.literal(first, 16), high = m.d.literal(last, 16);
+      isCode = m.d.lor(isCode, m.d.land(m.d.ule(low, any, 16), m.d.ule(any, high, 16)));
+    }
+    const auto code = m.d.select(isCode, any, m.d.literal(badPointerCode, 16), 16);
     a.store(0, m.d.select(m.sm(4, 3), code, m.number(0, 16), 16));
     m.setSm(4, 3, m.d.constant(false));
   }

@@ -1,5 +1,5 @@
-// Values inside a scan that a stimulus does not hold are left out, one kind after the other.
-#include "analysis/equivalence/trace_limits.hpp"
+// Values inside a scan are left out by their kind.
+#include "analysis/equivalence/plain_run.hpp"
 
 #include <fmt/format.h>
 
@@ -72,31 +72,6 @@ EquivalenceRun stimulusOnly(const Program& before, const Program& after, const E
   holdImmediateReads(after, plain.after);
   return plain;
 }
-std::vector<std::string> beyondTrace(const BothRuns& runs, const EquivalenceRun& run) {
-  struct Source {
-    const char* text;
-    bool (*isLeftOut)(External);
-  };
-  static constexpr Source sources[] = {
-      {differingReads, [](External kind) { return kind == External::AnalogInput || kind == External::ImmediateInput; }},
-      {"the clock",
-       [](External kind) {
-         return kind == External::ClockByte || kind == External::IntervalClock || kind == External::CalendarDay ||
-                kind == External::TimeOfDay;
-       }},
-      {"when within its base a timer begins", [](External kind) { return kind == External::TimerPhase; }},
-      {"what the manual or a device leaves open", [](External kind) {
-         return kind == External::NetworkStatus || kind == External::ReceivedByte || kind == External::StationAddress ||
-                kind == External::UnknownStatus || kind == External::UnknownResult || kind == External::AccessError;
-       }}};
-  std::vector<std::string> needed;
-  for (const Source& source : sources) {
-    if (!runs.judged(without(run, source.isLeftOut))) needed.emplace_back(source.text);
-  }
-  if (!runs.judged(withoutMoments(run))) needed.emplace_back("moments of 1 ms within a scan");
-  return needed;
-}
-
 std::string undefinedText(const Program& program, const ExternalSite& site) {
   std::string what = site.kind == External::StackBottom   ? "a level of the logic stack that nothing has filled"
                      : site.kind == External::LocalMemory ? fmt::format("local memory LB{}", site.index)

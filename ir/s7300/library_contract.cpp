@@ -1,0 +1,48 @@
+// One row for each block whose outputs depend on what no program tells.
+#include "ir/s7300/library_contract.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "ir/s7300/block.hpp"
+
+namespace rungproof::s7300 {
+
+namespace {
+
+using enum BlockType;
+
+/// Which characters numbers have in a STRING is not stated (FC 5, 16, 30, 37 to 39).
+constexpr auto contractRows = std::to_array<std::pair<BlockType, std::uint16_t>>({
+    {Sfc, 15}, {Sfc, 27}, {Sfc, 28}, {Sfc, 29}, {Sfc, 30}, {Sfc, 31}, {Sfc, 32}, {Sfc, 33},
+    {Sfc, 34}, {Sfc, 36}, {Sfc, 37}, {Sfc, 38}, {Sfc, 39}, {Sfc, 40}, {Sfc, 41}, {Sfc, 42},
+    {Sfc, 44}, {Fc, 5},   {Fc, 16},  {Fc, 30},  {Fc, 37},  {Fc, 38},  {Fc, 39},
+});
+
+}  // namespace
+
+bool isContractOnly(const LibraryBlock& block) {
+  return std::ranges::find(contractRows, std::pair(block.type, block.number)) != contractRows.end();
+}
+
+bool isContractOnly(const Pou& pou) {
+  if (pou.type != Fc && pou.type != Sfc && pou.type != Sfb) return false;
+  const LibraryBlock* block = libraryBlock(pou.type, static_cast<std::uint32_t>(numberOfBlock(pou.number)));
+  if (block == nullptr) return pou.type != Fc && pou.isBuiltIn;
+  return isContractOnly(*block) && pou.name == standInName(*block);
+}
+
+std::string standInName(const LibraryBlock& block) {
+  return fmt::format("{} {}", blockName(blockNumber(block.type, block.number)), block.name);
+}
+
+std::string_view effectOutside(const LibraryBlock& block) {
+  if (block.type != Sfc) return {};
+  if (block.number == 15) return "what it sends to a DP slave is no output of the program";
+  if (block.number == 27) return "outputs are looked at where the scan ends, not where it writes them";
+  return {};
+}
+
+}  // namespace rungproof::s7300
