@@ -9,6 +9,7 @@
 #include "engine/device_end.hpp"
 #include "frontend/simulation/event_place.hpp"
 #include "frontend/simulation/library_columns.hpp"
+#include "ir/iec/cpu.hpp"
 #include "ir/s7300/clock_memory.hpp"
 
 namespace rungproof {
@@ -19,14 +20,35 @@ bool matters(const Witness& witness, std::size_t scan, std::size_t input) {
   return witness.matters.empty() ? witness.scans[scan].inputs[input].value != 0 : witness.matters[scan][input];
 }
 
-/// Whether the signal is an input of the scan that may have any value.
+/// Whether a byte of the memory of variables belongs to the place.
+bool coversByte(const Operand& place, const Operand& byte) {
+  const auto length = static_cast<std::uint32_t>(std::max(bytes(place.width), 1));
+  return place.area == byte.area && place.offset <= byte.offset && byte.offset < place.offset + length;
+}
+
+/// IEC 61131-3: the variable to which a byte belongs that is written from outside.
+Operand wholeVariable(const Program& program, const Operand& operand) {
+  if (!isIec(program.target) || operand.area != Area::V) return operand;
+  for (const Symbol& symbol : program.symbols) {
+    if (symbol.address.kind == OperandKind::Direct && coversByte(symbol.address, operand)) return symbol.address;
+  }
+  return operand;
+}
+
+/// Whether the signal is an input of the scan that may have any value; of several bytes none may matter.
 bool isIdle(const Witness& witness, std::size_t scan, const Operand& signal) {
   if (witness.matters.empty()) return false;
   const std::vector<PresetValue>& inputs = witness.scans[scan].inputs;
+  bool isInput = false;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    if (toString(inputs[i].operand) == toString(signal)) return !witness.matters[scan][i];
+    const bool isSame = toString(inputs[i].operand) == toString(signal);
+    const bool isPart =
+        signal.area == Area::V && inputs[i].operand.width == Width::Byte && coversByte(signal, inputs[i].operand);
+    if (!isSame && !isPart) continue;
+    if (witness.matters[scan][i]) return false;
+    isInput = true;
   }
-  return false;
+  return isInput;
 }
 
 /// The same texts for sure: the same events and the same bits of every number.
@@ -84,6 +106,7 @@ std::vector<TraceSignal> signalsThatMatter(const Program& program, const ProofRe
   std::vector<TraceSignal> signals;
   const auto add = [&](Operand operand) {
     if (operand.area == Area::L) return;
+    operand = wholeVariable(program, operand);
     if (operand.area == Area::AC) operand.width = Width::DWord;
     TraceSignal signal = signalOf(program, operand);
     if (std::none_of(signals.begin(), signals.end(), [&](const TraceSignal& s) { return s.name == signal.name; }))
