@@ -12,6 +12,7 @@
 #include "frontend/explain/step7_page.hpp"
 #include "frontend/files/closest_word.hpp"
 #include "frontend/files/json.hpp"
+#include "frontend/settings/choice_bundle.hpp"
 #include "frontend/settings/code_list.hpp"
 #include "frontend/stl/operand_reader.hpp"
 #include "frontend/text/columns.hpp"
@@ -77,6 +78,14 @@ Page choicesPage(const Paint& paint, const Settings& settings) {
                          {"chosen", info.values[settings.choices()[info.choice]]},
                          {"why", info.why},
                          {"manual", info.manual}});
+  }
+  page.text += "\nSeveral at once, as an implementation answers them; what is not known of it stays open:\n";
+  for (const ChoiceBundle& one : choiceBundles) {
+    std::string values;
+    for (const auto& [key, value] : one.choices)
+      values += fmt::format("{}{} = {}", values.empty() ? "" : ", ", key, value);
+    page.text += fmt::format("\n  {}\n", paint.bold(fmt::format("{}={}", one.key, one.name)));
+    appendParagraph(page.text, values, 4);
   }
   return page;
 }

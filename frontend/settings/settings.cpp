@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "frontend/files/closest_word.hpp"
+#include "frontend/settings/choice_bundle.hpp"
 #include "frontend/settings/code_list.hpp"
 #include "frontend/settings/options.hpp"
 #include "frontend/settings/retentive_range.hpp"
@@ -138,6 +139,16 @@ void Settings::set(Opt id, const std::vector<std::string>& texts, const std::str
 
 std::optional<Failure> Settings::setChoice(std::string_view key, std::string_view value, const std::string& origin) {
   std::vector<std::string_view> keys;
+  for (const ChoiceBundle& one : choiceBundles) {
+    keys.push_back(one.key);
+    if (one.key != key || one.name != value) continue;
+    for (const auto& [part, chosen] : one.choices) {
+      if (auto failure = setChoice(part, chosen, origin)) return failure;
+    }
+    return std::nullopt;
+  }
+  if (const std::string names = bundlesOf(key); !names.empty())
+    return Failure{fmt::format("'{}' is no value for the choice '{}'", value, key), {}, "it can be " + names};
   for (const ChoiceInfo& info : choiceTable) {
     keys.push_back(info.key);
     if (info.key != key) continue;

@@ -61,14 +61,10 @@ TEST(IecTry, FaultsGoToCatch) {
 }
 
 TEST(IecTry, FinallyRunsInAnyCase) {
-  IecRun run(tries("n := a MOD b;", "n := -1;", "__FINALLY\nm := m + 1;\n"), 10);
-  run.simulator = Simulator(run.program, [] {
-    SimulatorOptions options;
-    options.choices.set("iec-mod-zero", "fault");
-    return options;
-  }());
-  EXPECT_EQ(run.follow("n", {{"a", {8, 8}}, {"b", {3, 0}}}), (Row{2, -1}));
-  EXPECT_EQ(run.get("m"), 2);
+  const std::string text = "//@ prove m: m > 0\n//@ prove caught: b = 0 implies n = -1\n" +
+                           tries("n := a MOD b;", "n := -1;", "__FINALLY\nIF m < 9 THEN m := m + 1; END_IF;\n");
+  const IecOutput faults = proofOfIec(text, {"--choice", "iec-mod-zero=fault"});
+  EXPECT_TRUE(faults.has("PROVED  m") && faults.has("PROVED  caught")) << faults.text;
 }
 
 // Both readings of a division by 0: a fault that is caught, or the result 0.

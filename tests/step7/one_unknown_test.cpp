@@ -11,7 +11,7 @@ using test7::Output, test7::run;
 /// Whether what runs needs what is not known; `Anything`: what is not known may write any place.
 enum class Need : std::uint8_t { Nothing, Something, Anything };
 
-struct Project {
+struct OneMissing {
   std::string name;
   std::string blocks;      ///< besides OB 1
   std::string statements;  ///< network of OB 1 that uses them; may set MW 10 or Q 1.0
@@ -31,7 +31,7 @@ std::string fb(int number, const std::string& declarations, const std::string& s
          "\nEND_FUNCTION_BLOCK\n";
 }
 
-std::string textOf(const Project& project) {
+std::string textOf(const OneMissing& project) {
   return project.blocks + "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      A I 0.0;\n      = Q 0.0;\n" +
          "NETWORK\n      A I 0.1;\n      = Q 0.0;\n" +
          (project.statements.empty() ? "" : "NETWORK\n" + project.statements + "\n") +
@@ -40,7 +40,7 @@ std::string textOf(const Project& project) {
          "NETWORK\n      A I 0.2;\n      = Q 0.1;\nEND_ORGANIZATION_BLOCK\n";
 }
 
-std::vector<Project> projects() {
+std::vector<OneMissing> oneMissingProjects() {
   const std::string use = "L DB5.DBW 0; T MW 10;", useBit = "A DB5.DBX 4.0; = Q 1.0;";
   const std::string idle = "NOP 0;";
   return {
@@ -103,7 +103,7 @@ std::vector<Project> projects() {
   };
 }
 
-class OneUnknown : public ::testing::TestWithParam<Project> {
+class OneUnknown : public ::testing::TestWithParam<OneMissing> {
  protected:
   Output of(const std::string& command, const std::vector<std::string>& more = {}) const {
     const test::TemporaryFolder folder;
@@ -160,10 +160,10 @@ TEST_P(OneUnknown, IsDrawnAndCrossReferenced) {
   EXPECT_TRUE(of("show").has("Q0.1")) << of("show").text;
 }
 
-std::ostream& operator<<(std::ostream& out, const Project& project) { return out << project.name; }
+std::ostream& operator<<(std::ostream& out, const OneMissing& project) { return out << project.name; }
 
-INSTANTIATE_TEST_SUITE_P(Projects, OneUnknown, ::testing::ValuesIn(projects()),
-                         [](const ::testing::TestParamInfo<Project>& project) {
+INSTANTIATE_TEST_SUITE_P(Projects, OneUnknown, ::testing::ValuesIn(oneMissingProjects()),
+                         [](const ::testing::TestParamInfo<OneMissing>& project) {
                            std::string name = project.param.name;
                            std::erase_if(name, [](char c) { return c == ','; });
                            std::ranges::replace(name, ' ', '_');
@@ -172,9 +172,9 @@ INSTANTIATE_TEST_SUITE_P(Projects, OneUnknown, ::testing::ValuesIn(projects()),
 
 // A name that is missed at many places is one finding, at the first one, with their number.
 TEST(MissingNames, AreToldOnce) {
-  Project project{"", fc(3, "A \"Nobody\"; = Q 1.0;\nNETWORK\nL \"Other\"; T MW 20; CALL FC 99;"),
-                  "A \"Nobody\"; A \"Nobody\"; = Q 1.2; CALL FC 99; L DB7.DBW 0; L DB7.DBW 2; T MW 10;",
-                  Need::Anything};
+  OneMissing project{"", fc(3, "A \"Nobody\"; = Q 1.0;\nNETWORK\nL \"Other\"; T MW 20; CALL FC 99;"),
+                     "A \"Nobody\"; A \"Nobody\"; = Q 1.2; CALL FC 99; L DB7.DBW 0; L DB7.DBW 2; T MW 10;",
+                     Need::Anything};
   const test::TemporaryFolder folder;
   folder.file("main.awl", textOf(project));
   const Output output = run({"lint", folder.path("main.awl")});
@@ -192,7 +192,7 @@ TEST(MissingNames, AreToldOnce) {
 
 // What a run was asked to show and nobody knows is an error, not the value that an empty block would have.
 TEST(OneUnknownValue, IsShownByNoRun) {
-  const Project project{"", db("DB 5\n" + plainDb, "a := 1.5 ;\n"), "L 3; T DB5.DBW 2;", Need::Nothing};
+  const OneMissing project{"", db("DB 5\n" + plainDb, "a := 1.5 ;\n"), "L 3; T DB5.DBW 2;", Need::Nothing};
   const test::TemporaryFolder folder;
   folder.file("main.awl", textOf(project));
   const Output asked = run({"sim", folder.path("main.awl"), "--scans", "1", "--signals", "DB5.DBW0"});
