@@ -21,8 +21,7 @@ bool isLongArithmetic(const Graph& graph, Node n) {
   const NodeData& node = graph[n];
   const bool isProduct = node.op == Op::Mul || node.op == Op::Udiv || node.op == Op::Urem || node.op == Op::Sdiv ||
                          node.op == Op::Srem || node.op == Op::RealMul || node.op == Op::RealDiv;
-  constexpr int longFrom = 8;  // bits
-  return isProduct && node.width >= longFrom && graph[node.child[0]].op != Op::Constant &&
+  return isProduct && node.width >= schedule::wordRunBits && graph[node.child[0]].op != Op::Constant &&
          graph[node.child[1]].op != Op::Constant;
 }
 

@@ -8,6 +8,7 @@
 #include "analysis/encoding/exact_reals.hpp"
 #include "analysis/graph/evaluate.hpp"
 #include "analysis/portfolio/portfolio.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
@@ -88,9 +89,10 @@ void ToldProof::search(const CheckLimits& limits) {
   }
   if (open.empty()) return;
   PortfolioOptions options;
-  options.seconds = std::min(limits.each, limits.total);
-  options.deadline = Budget::Clock::now() +
-                     std::chrono::duration_cast<Budget::Clock::duration>(std::chrono::duration<double>(limits.total));
+  options.seconds = std::min({schedule::toldSearch, limits.each, limits.total});
+  options.deadline =
+      Budget::Clock::now() + std::chrono::duration_cast<Budget::Clock::duration>(
+                                 std::chrono::duration<double>(options.seconds * static_cast<double>(open.size())));
   options.memory = limits.memory;
   options.cancel = limits.cancel;
   options.check = false;

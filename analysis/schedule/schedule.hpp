@@ -27,6 +27,7 @@
   ROW(std::size_t, writtenReals, 200, "operations", "of a goal that are written out as bits; more do not come to an end") \
   ROW(std::size_t, writtenForChecks, 12, "operations", "of a rule's question: there is one at each REAL operation") \
   ROW(double, asWrittenSeconds, 1, "s", "for a proof on the surface of the program as it is written") \
+  ROW(double, toldSearch, 3, "s", "for the search for a proof of such facts where their own invariant is not enough") \
   ROW(double, toldSeconds, 10, "s", "for each of the facts that the program as it is written was told, once for all questions") \
   /* Runs of the reference engine */ \
   ROW(int, earlyPatience, 50, "ms", "most programs are encoded by then; longer ones are run meanwhile") \
@@ -189,6 +190,7 @@
   ROW(int, longestEpisode, 1 << 16, "scans", "of a random run") \
   ROW(std::size_t, episodeWords, 16U << 20U, "words", "of inputs recorded of one") \
   ROW(int, redraws, 3, "tries", "of inputs that meet the constraints") \
+  ROW(int, wordRunBits, 8, "bits", "of a product or quotient whose circuit is long") \
   ROW(std::size_t, wordRunNodes, 60'000, "nodes", "of a system that is run on numbers before circuits are made") \
   ROW(std::size_t, wordRunHints, 400, "hints", "of inputs from its comparisons") \
   ROW(int, wordRunRounds, 3, "rounds", "of 64 such runs") \
