@@ -298,10 +298,35 @@ class DrawingToStatements {
         std::ranges::find_if(element.inputs, [](const DrawnPin& p) { return foldedName(p.name) == "EN"; });
     const bool isEnabled = enable != element.inputs.end() && !enable->links.empty();
     if (name == "ENO") return isEnabled ? arriving(i, *enable) : word("TRUE", element.span);
-    if (isEnabled && !isWriting_)
-      refuse(element, fmt::format("the result of {} without power flow is not modelled", nameOf(element)));
-    ExprPtr value = callOf(i, false);
+    ExprPtr value = isEnabled && !isWriting_ ? resultKept(i, *enable) : callOf(i, false);
     return output != nullptr && output->negated ? inverted(std::move(value)) : std::move(value);
+  }
+
+  /// The result of a comparison whose EN may be FALSE: it is computed where EN is TRUE, and stands in a variable.
+  ExprPtr resultKept(int i, const DrawnPin& enable) {
+    const DrawnElement& element = circuit_.element(i);
+    constexpr std::string_view comparisons[] = {"EQ", "NE", "GT", "GE", "LT", "LE"};
+    if (std::ranges::find(comparisons, foldedName(element.text)) == std::end(comparisons))
+      refuse(element, fmt::format("the result of {} without power flow is not modelled", nameOf(element)));
+    std::string& kept = flows_[static_cast<std::size_t>(i)];
+    if (kept.empty()) {
+      kept = hidden("result", "BOOL", element.span);
+      Statement made = statementAt(i, StatementKind::If);
+      Branch& branch = made.branches.emplace_back();
+      branch.condition = arriving(i, enable);
+      branch.body.push_back(assignmentOf(i, kept, callOf(i, false)));
+      Branch& other = made.branches.emplace_back();
+      other.condition = parsed("__READING('iec-en-false-result', 'zero')", element.span);
+      other.body.push_back(assignmentOf(i, kept, word("FALSE", element.span)));
+      block_.body.push_back(std::move(made));
+    }
+    return pathTo({kept}, element.span);
+  }
+  Statement assignmentOf(int i, const std::string& target, ExprPtr value) {
+    Statement made = statementAt(i, StatementKind::Assign);
+    made.target = pathTo({target}, circuit_.element(i).span);
+    made.value = std::move(value);
+    return made;
   }
 
   ExprPtr callOf(int i, bool withEnable) {

@@ -71,6 +71,7 @@ enum class Choice : std::uint8_t {
   IecTaskOrder,
   IecTimeNumber,
   IecNetworkFeedback,
+  IecEnFalseResult,
   IecSfcOrder,
   IecSfcInitialEdge,
   IecSfcFinalScan,
@@ -397,6 +398,13 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      "IEC 61131-3: what a contact sees of a variable that a coil before it in the same network writes: what was "
      "written, or the value of before the network",
      "IEC 61131-3"},
+    {Choice::IecEnFalseResult,
+     "iec-en-false-result",
+     {"kept", "zero", ""},
+     "IEC 61131-3: what the output of a comparison with EN gives in a drawing while EN is FALSE: what it gave last, or "
+     "FALSE; the standard forbids its use",
+     "IEC 61131-3",
+     ChoiceKind::Fact},
     {Choice::IecSfcOrder,
      "iec-sfc-order",
      {"transitions-first", "actions-first", ""},

@@ -170,6 +170,38 @@ TEST(IecDrawing, ContactsAndCoils) {
   EXPECT_TRUE(output.has("PROVED  q") && output.has("PROVED  s")) << output.text;
 }
 
+// A comparison whose EN is a contact. While EN is FALSE its output gives what it gave last, or FALSE by the other
+// reading, which is taken on request; the standard forbids to use it.
+TEST(IecDrawing, ComparisonWithEnableKeepsItsResult) {
+  const auto pin = [](const char* name, int from) {
+    return fmt::format(
+        "<variable formalParameter=\"{}\"><connectionPointIn><connection refLocalId=\"{}\"/>"
+        "</connectionPointIn></variable>",
+        name, from);
+  };
+  const auto value = [](int id, const char* name) {
+    return fmt::format(
+        "<inVariable localId=\"{}\"><position x=\"1\" y=\"{}\"/><connectionPointOut/><expression>{}"
+        "</expression></inVariable>",
+        id, id, name);
+  };
+  const std::string block =
+      "<block localId=\"3\" typeName=\"EQ\"><position x=\"30\" y=\"3\"/><inputVariables>" + pin("EN", 2) +
+      pin("IN1", 6) + pin("IN2", 7) +
+      "</inputVariables><inOutVariables/><outputVariables><variable "
+      "formalParameter=\"ENO\"><connectionPointOut/></variable>"
+      "<variable formalParameter=\"OUT\"><connectionPointOut/></variable></outputVariables></block>";
+  const std::string out =
+      "<coil localId=\"8\"><position x=\"80\" y=\"3\"/><connectionPointIn><connection refLocalId=\"3\" "
+      "formalParameter=\"OUT\"/></connectionPointIn><connectionPointOut/><variable>q</variable></coil>";
+  const std::string xml = ladder("e a b", "q", contact(2, 1, "e") + value(6, "a") + value(7, "b") + block + out);
+  const std::string asked =
+      "prove on: e implies q = (a = b)\nprove kept: not e implies q = prev(q)\nprove off: not e implies not q\n";
+  const IecOutput output = proofOfLadder(xml, asked);
+  EXPECT_TRUE(output.has("PROVED  on") && output.has("PROVED  kept") && output.has("VIOLATED  off")) << output.text;
+  EXPECT_TRUE(output.has("iec-en-false-result = kept")) << output.text;
+}
+
 TEST(IecDrawing, EdgesFireInTheFirstScan) {
   const std::string xml = ladder("a", "q f",
                                  contact(2, 1, "a", "edge=\"rising\"") + coil(3, 2, "q") + contact(4, 1, "a") +
