@@ -77,6 +77,7 @@ void Simulator::boundary(Runner& runner, const FlowStep* step) {
 void Simulator::watchLoops(const FlowStep& step) {
   if (position_ < Cost::perMs) return;
   if (script_ != nullptr) nextMs_ = 0;
+  loop_.step(step.instruction->id);
   if (step.instruction->desc->control != Control::LabelMark) return;
   if (loop_.returns(step.instruction->id, store_.area(Area::V)))
     machine_.hazard(watchdogHazard(plan_.isStep7(), plan_.isIec()), true);

@@ -63,7 +63,16 @@ void Lowering::tryStatement(Scope& scope, const Statement& s) {
 /// In front of a statement that is tried: leaves what is tried where one of its divisions meets 0.
 void Lowering::guardFaults(Scope& scope, const Statement& s) {
   const auto guard = [&](const ExprPtr& expr) {
-    if (expr != nullptr) guardDivisions(scope, *expr);
+    if (expr == nullptr) return;
+    // A function that writes what a divisor reads would do so between the guard and the division.
+    bool callsOwn = false;
+    eachPart(*expr, [&](const Expr& part) {
+      callsOwn = callsOwn || (part.kind == ExprKind::Call && &part != s.target.get() && !part.parts.empty() &&
+                              blocks_.contains(foldedName(part.parts[0].name)));
+    });
+    if (callsOwn && divides(*expr))
+      refuse(expr->span, "a division beside a call of a function in __TRY is not modelled", Syntax::IecNotModelled);
+    guardDivisions(scope, *expr);
   };
   const auto mayNotDivide = [&](const Expr* expr) {
     if (expr != nullptr && mayFault(*expr))

@@ -103,6 +103,20 @@ TEST(IecEndless, LongLoopsEnd) {
   EXPECT_TRUE(run.simulator.isRunning());
 }
 
+// Calls of one block at several places leave memory as it was, each with a loop of its own: they end.
+TEST(IecEndless, SeveralCallsOfOneBlockEnd) {
+  std::string calls;
+  for (int i = 0; i < 200; ++i) calls += "f();\n";
+  IecRun run(
+      "FUNCTION_BLOCK Twice\nVAR k : INT; END_VAR\nk := 0;\nWHILE k < 2 DO k := k + 1; END_WHILE;\n"
+      "END_FUNCTION_BLOCK\n" +
+      iecProgram("VAR i, n : DINT; f : Twice; END_VAR",
+                 "i := 0;\nWHILE i < 20000 DO i := i + 1; END_WHILE;\n" + calls + "n := n + 1;"));
+  run.scan();
+  EXPECT_TRUE(run.simulator.isRunning());
+  EXPECT_EQ(run.get("n"), 1);
+}
+
 // Nothing that can go wrong at run time: that is an answer, not "nothing was checked".
 TEST(IecEndless, NothingToGoWrongIsProved) {
   const IecOutput output =
