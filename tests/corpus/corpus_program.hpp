@@ -59,7 +59,7 @@ inline std::map<std::string, std::string> trueVerdicts(const std::filesystem::pa
   return verdicts;
 }
 
-/// The options that the head of a program gives, such as --cpu 222.
+/// The options that the head of a program gives, such as --cpu 222; values of one that stands there again in a list.
 inline std::map<std::string, std::string> optionsOf(const std::filesystem::path& file) {
   std::map<std::string, std::string> options;
   std::ifstream stream(headOf(file), std::ios::binary);
@@ -67,7 +67,8 @@ inline std::map<std::string, std::string> optionsOf(const std::filesystem::path&
     std::istringstream words(line);
     std::string head, kind, name, value;
     words >> head >> kind;
-    while (head == "//!" && kind == "options" && words >> name >> value) options[name] = value;
+    while (head == "//!" && kind == "options" && words >> name >> value)
+      options[name] += (options[name].empty() ? "" : ",") + value;
   }
   return options;
 }
@@ -83,8 +84,11 @@ inline ProverOptions proverOptions(const std::filesystem::path& file) {
     options.time.high = static_cast<std::uint32_t>(time->high.count() / 1000);
   }
   if (const auto choice = given.find("--choice"); choice != given.end()) {
-    const std::size_t equal = choice->second.find('=');
-    options.choices.set(choice->second.substr(0, equal), choice->second.substr(equal + 1));
+    std::istringstream all(choice->second);
+    for (std::string one; std::getline(all, one, ',');) {
+      const std::size_t equal = one.find('=');
+      options.choices.set(one.substr(0, equal), one.substr(equal + 1));
+    }
   }
   return options;
 }
