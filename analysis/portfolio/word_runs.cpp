@@ -182,7 +182,6 @@ class WordRuns {
       }
       case Op::Zext:
       case Op::Sext: return meet(node.child[0], value & Graph::maskOf(graph_[node.child[0]].width), hint);
-      case Op::Ite: meet(node.child[1], value, hint); return meet(node.child[2], value, hint);
       case Op::Add:
       case Op::Sub:
         if (graph_[node.child[1]].op != Op::Constant) return;
