@@ -28,7 +28,7 @@ class Answers {
       : system_(system), options_(options), answers_(system.questions.size()) {}
 
   std::vector<QuestionAnswer> run(const Questions& questions) {
-    find(questions);
+    find(withoutWordRuns(questions));
     if (options_.check) checkCertificates();
     return std::move(answers_);
   }
@@ -37,7 +37,7 @@ class Answers {
   void find(const Questions& questions) {
     const Budget budget = options_.budget();
     Questions open;
-    for (const std::size_t q : withoutWordRuns(questions, budget)) {
+    for (const std::size_t q : questions) {
       if (!settleLocally(q, budget) && !searchFirstScan(q) && !searchUnabsorbed(q)) open.push_back(q);
     }
     if (!open.empty() && options_.effort != Effort::Surface) {
@@ -52,13 +52,13 @@ class Answers {
       }
     }
   }
-  /// Those for which no run on numbers is found.
-  Questions withoutWordRuns(const Questions& questions, const Budget& budget) {
-    if (options_.effort == Effort::Surface || options_.bound > 0 || !options_.techniques.has(Technique::Simulation))
+  /// Those for which no run on numbers is found. They are made once, while all questions are treated at once.
+  Questions withoutWordRuns(const Questions& questions) {
+    if (options_.effort != Effort::Together || options_.bound > 0 || !options_.techniques.has(Technique::Simulation))
       return questions;
     TechniqueTurn turn(options_.log, Technique::Simulation, questions.size());
     const auto begin = Budget::Clock::now();
-    std::vector<std::optional<WordTrace>> runs = wordRuns(system_, questions, options_.seed, budget);
+    std::vector<std::optional<WordTrace>> runs = wordRuns(system_, questions, options_.seed, options_.budget());
     Questions open;
     for (std::size_t i = 0; i < questions.size(); ++i) {
       if (!runs[i]) {

@@ -70,23 +70,25 @@ class WordRuns {
     std::vector<std::vector<std::vector<std::uint64_t>>> scans;  // by scan and lane: inputs
     for (int scan = 0; scan < schedule::wordRunScans && live != 0; ++scan) {
       scans.push_back(chooseInputs(round + scan));
-      for (int attempt = 0; attempt < schedule::wordRunRedraws; ++attempt) {
-        for (int lane = 0; lane < lanes; ++lane) setInputs(values, lane, scans.back()[static_cast<std::size_t>(lane)]);
-        values.run();
-        const std::uint64_t wrong = ~legal(values) & live;
-        if (wrong == 0) break;
-        redraw(scans.back(), wrong);
+      std::uint64_t legal = compute(values, scans.back());
+      for (int attempt = 0; attempt < schedule::wordRunRedraws && (~legal & live) != 0; ++attempt) {
+        redraw(scans.back(), ~legal & live);
+        legal = compute(values, scans.back());
       }
-      for (int lane = 0; lane < lanes; ++lane) setInputs(values, lane, scans.back()[static_cast<std::size_t>(lane)]);
-      values.run();
-      live &= legal(values);
+      live &= legal;
       if (takeBad(values, live, initial, scans, found)) return true;
       advance(values);
     }
     return false;
   }
 
-  std::uint64_t legal(const LaneEvaluator& values) const {
+  /// The lanes in which these inputs meet the constraints.
+  std::uint64_t compute(LaneEvaluator& values, const std::vector<std::vector<std::uint64_t>>& inputs) const {
+    for (std::size_t lane = 0; lane < inputs.size(); ++lane) {
+      for (std::size_t i = 0; i < inputs[lane].size(); ++i)
+        values.set(system_.inputs[i], static_cast<int>(lane), inputs[lane][i]);
+    }
+    values.run();
     std::uint64_t ok = ~0ULL;
     for (const Node constraint : system_.constraints) ok &= values.bits(constraint);
     return ok;
@@ -121,9 +123,6 @@ class WordRuns {
     }
   }
 
-  void setInputs(LaneEvaluator& values, int lane, const std::vector<std::uint64_t>& inputs) const {
-    for (std::size_t i = 0; i < inputs.size(); ++i) values.set(system_.inputs[i], lane, inputs[i]);
-  }
   std::uint64_t maskOf(std::size_t input) const { return Graph::maskOf(graph_[system_.inputs[input]].width); }
 
   /// The first lane has 0, the second all ones; the others begin with 0 or random values and follow some hints.

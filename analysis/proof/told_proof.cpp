@@ -66,28 +66,22 @@ Question ToldProof::questionOf(const Part& part) const {
   return {std::string("what the encoding was told, ") + part.name, system_.graph->lnot({part.fact}).node};
 }
 
-void ToldProof::addParts(CertificateWriter& writer) const {
-  for (const Part& part : parts_) {
-    if (part.found) {
-      writer.add(questionOf(part), *part.found);
-      continue;
-    }
-    writer.addInvariant(questionOf(part).name, part.invariant);
-    writer.addConsequence(part.name, part.invariant, part.fact);
-  }
+void ToldProof::addPart(CertificateWriter& writer, const Part& part) const {
+  if (part.found) return writer.add(questionOf(part), *part.found);
+  writer.addInvariant(questionOf(part).name, part.invariant);
+  writer.addConsequence(part.name, part.invariant, part.fact);
 }
 
-/// Parts whose own invariants are not enough are questions to the engines like any other.
-void ToldProof::search(const CheckLimits& limits) {
+/// Parts whose own invariants are not enough are questions to the engines like any other. Whether a proof was found.
+bool ToldProof::search(const CheckLimits& limits) {
   TransitionSystem asked = system_;
   asked.questions.clear();
   std::vector<Part*> open;
   for (Part& part : parts_) {
-    if (part.isShown || part.found || part.isFalse) continue;
+    if (part.isShown) continue;
     open.push_back(&part);
     asked.questions.push_back(questionOf(part));
   }
-  if (open.empty()) return;
   PortfolioOptions options;
   options.seconds = std::min({schedule::toldSearch, limits.each, limits.total});
   options.deadline =
@@ -97,65 +91,79 @@ void ToldProof::search(const CheckLimits& limits) {
   options.cancel = limits.cancel;
   options.check = false;
   const std::vector<QuestionAnswer> answers = answerQuestions(asked, options);
+  bool isFound = false;
   for (std::size_t i = 0; i < open.size(); ++i) {
     open[i]->isFalse = answers[i].answer == Answer::Violated;
     if (answers[i].answer != Answer::Proved || !answers[i].certificate) continue;
     open[i]->found = answers[i].certificate;
+    isFound = true;
   }
+  return isFound;
 }
 
-void ToldProof::judge(const CheckLimits& limits) {
+/// Of the parts that are not shown yet.
+void ToldProof::checkParts(const CheckLimits& limits) {
   CertificateWriter writer(system_);
-  addParts(writer);
-  const std::vector<CheckResult> results = writer.check(limits);
-  result_ = CheckResult::Valid;
-  reason_.clear();
-  isRefuted_ = false;
-  std::size_t next = 0;
+  std::vector<Part*> open;
   for (Part& part : parts_) {
-    const CheckResult first = results[next++], second = part.found ? first : results[next++];
-    part.isShown = first == CheckResult::Valid && second == CheckResult::Valid;
     if (part.isShown) continue;
-    const bool isRefused = first == CheckResult::Invalid || second == CheckResult::Invalid;
-    isRefuted_ = isRefuted_ || (part.isFalse && isExact_) || (isRefused && part.isRefutable);
-    if (result_ == CheckResult::Valid || isRefused) result_ = isRefused ? CheckResult::Invalid : CheckResult::Unknown;
-    reason_ += (reason_.empty() ? "" : ", ") + std::string(part.name);
+    open.push_back(&part);
+    addPart(writer, part);
+  }
+  const std::vector<CheckResult> results = writer.check(limits);
+  std::size_t next = 0;
+  for (Part* part : open) {
+    const CheckResult first = results[next++], second = part->found ? first : results[next++];
+    part->isShown = first == CheckResult::Valid && second == CheckResult::Valid;
+    part->isRefused = first == CheckResult::Invalid || second == CheckResult::Invalid;
   }
 }
 
-CheckResult ToldProof::check(const CheckLimits& limits) {
-  if (result_) return *result_;
-  const auto judgeAndSearch = [&] {
-    judge(limits);
-    if (result_ != CheckResult::Valid && !isRefuted_) {
-      search(limits);
-      judge(limits);
-    }
-    return *result_;
-  };
-  if (judgeAndSearch() == CheckResult::Valid) return *result_;
-  // What simplification knew of REAL operations is shown by writing them out.
-  const Graph& graph = *system_.graph;
+bool ToldProof::areShown(const CheckLimits& limits) {
+  const auto all = [&] { return std::ranges::all_of(parts_, &Part::isShown); };
+  checkParts(limits);
+  if (!all() && search(limits)) checkParts(limits);
+  return all();
+}
+
+/// What simplification knew of REAL operations is shown by writing them out; false: there are none.
+bool ToldProof::writeOutReals() {
   std::vector<Node> roots;
   for (const Part& part : parts_) roots.push_back(part.fact);
   for (const StateVariable& state : system_.states) roots.push_back(state.next);
+  const Graph& graph = *system_.graph;
   const std::vector<Node> cone = coneOf(graph, roots);
-  if (std::ranges::none_of(cone, [&](Node n) { return isRealOperation(graph[n].op); })) return *result_;
+  if (std::ranges::none_of(cone, [&](Node n) { return isRealOperation(graph[n].op); })) return false;
   system_.questions.clear();
   for (const Part& part : parts_) system_.questions.push_back({part.name, part.fact});
   system_ = withExactReals(system_, RealScope::All);
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    parts_[i].fact = system_.questions[i].bad;
-    parts_[i].found.reset();
-    parts_[i].isFalse = false;
+    Part& part = parts_[i];
+    part.fact = system_.questions[i].bad;
+    part.found.reset();
+    part.isShown = part.isRefused = part.isFalse = false;
   }
-  return judgeAndSearch();
+  return true;
+}
+
+CheckResult ToldProof::check(const CheckLimits& limits) {
+  if (result_) return *result_;
+  result_ = CheckResult::Valid;
+  if (areShown(limits) || (writeOutReals() && areShown(limits))) return *result_;
+  for (const Part& part : parts_) {
+    if (part.isShown) continue;
+    isRefuted_ = isRefuted_ || (part.isFalse && isExact_) || (part.isRefused && part.isRefutable);
+    if (result_ == CheckResult::Valid || part.isRefused)
+      result_ = part.isRefused ? CheckResult::Invalid : CheckResult::Unknown;
+    reason_ += (reason_.empty() ? "" : ", ") + std::string(part.name);
+  }
+  return *result_;
 }
 
 std::string ToldProof::text() const {
   if (parts_.empty()) return {};
   CertificateWriter writer(system_);
-  addParts(writer);
+  for (const Part& part : parts_) addPart(writer, part);
   return writer.text();
 }
 

@@ -39,12 +39,15 @@ class ToldProof {
     WordCertificate invariant{};
     std::optional<WordCertificate> found{};  ///< by the engines, where the invariant is not enough
     bool isShown = false;
-    bool isFalse = false;  ///< the engines have a run that breaks it
+    bool isRefused = false;  ///< its check fails
+    bool isFalse = false;    ///< the engines have a run that breaks it
   };
   Question questionOf(const Part& part) const;
-  void search(const CheckLimits& limits);
-  void judge(const CheckLimits& limits);
-  void addParts(CertificateWriter& writer) const;
+  void addPart(CertificateWriter& writer, const Part& part) const;
+  bool search(const CheckLimits& limits);
+  void checkParts(const CheckLimits& limits);
+  bool areShown(const CheckLimits& limits);
+  bool writeOutReals();
 
   TransitionSystem system_;
   bool isExact_;
