@@ -7,6 +7,7 @@
 #include "frontend/graphical/drawn_circuit.hpp"
 #include "frontend/iec/iec_lowering.hpp"
 #include "frontend/iec/iec_parser.hpp"
+#include "frontend/iec/iec_tree.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 
 namespace rungproof::iec {
@@ -53,7 +54,7 @@ class DrawingToStatements {
       const Span span = circuit_.element(i).span;
       const std::string kept = hidden("before", "BOOL", span);
       before_.emplace(inCircuit(i), kept);
-      assign(i, pathTo({kept}, span), parsed(circuit_.element(i).text, span));
+      assign(i, pathOf({kept}, span), parsed(circuit_.element(i).text, span));
     }
   }
   /// The variable of a contact, by the reading in force.
@@ -61,26 +62,11 @@ class DrawingToStatements {
     const DrawnElement& element = circuit_.element(i);
     const auto kept = before_.find(inCircuit(i));
     if (kept == before_.end()) return parsed(element.text, element.span);
-    ExprPtr reading = pathTo({"__READING"}, element.span);
-    reading->kind = ExprKind::Call;
-    for (const char* const text : {"'iec-network-feedback'", "'snapshot'"}) {
-      Argument argument;
-      argument.value = word(text, element.span);
-      argument.value->kind = ExprKind::Text;
-      reading->arguments.push_back(std::move(argument));
-    }
-    ExprPtr choice = pathTo({"SEL"}, element.span);
-    choice->kind = ExprKind::Call;
-    choice->arguments.push_back(plain(std::move(reading)));
-    choice->arguments.push_back(plain(parsed(element.text, element.span)));
-    choice->arguments.push_back(plain(pathTo({kept->second}, element.span)));
+    ExprPtr choice = callOf({"SEL"}, element.span);
+    addArgument(*choice, readingOf("iec-network-feedback", "snapshot", element.span));
+    addArgument(*choice, parsed(element.text, element.span));
+    addArgument(*choice, pathOf({kept->second}, element.span));
     return choice;
-  }
-  static Argument plain(ExprPtr value) {
-    Argument made;
-    made.span = value->span;
-    made.value = std::move(value);
-    return made;
   }
 
   /// A result that cannot be written leaves a statement that was not read.
@@ -109,42 +95,15 @@ class DrawingToStatements {
     return made;
   }
 
-  ExprPtr word(std::string_view text, Span span) const {
-    ExprPtr made = std::make_unique<Expr>();
-    made->kind = ExprKind::Literal;
-    made->text = text;
-    made->span = span;
-    return made;
-  }
-  ExprPtr pathTo(std::initializer_list<std::string> names, Span span) const {
-    ExprPtr made = std::make_unique<Expr>();
-    made->kind = ExprKind::Path;
-    made->span = span;
-    for (const std::string& name : names) made->parts.push_back({PathPart::Kind::Name, name, {}, 0, span});
-    return made;
-  }
-  ExprPtr joined(std::string_view op, ExprPtr left, ExprPtr right) const {
-    ExprPtr made = std::make_unique<Expr>();
-    made->kind = ExprKind::Binary;
-    made->text = op;
-    made->span = right->span;
-    made->operands.push_back(std::move(left));
-    made->operands.push_back(std::move(right));
-    return made;
-  }
-  ExprPtr inverted(ExprPtr inner) const {
-    ExprPtr made = std::make_unique<Expr>();
-    made->kind = ExprKind::Unary;
-    made->text = "NOT";
+  static ExprPtr inverted(ExprPtr inner) {
+    ExprPtr made = notOf(std::move(inner));
     made->prefix = "BOOL";  // the sign of negation belongs to truth values
-    made->span = inner->span;
-    made->operands.push_back(std::move(inner));
     return made;
   }
   static bool isTrue(const Expr& expr) { return expr.kind == ExprKind::Literal && foldedName(expr.text) == "TRUE"; }
   ExprPtr both(ExprPtr left, ExprPtr right) const {
     if (isTrue(*left)) return right;
-    return joined("AND", std::move(left), std::move(right));
+    return andOf(std::move(left), std::move(right));
   }
 
   /// The text of an element, which is a variable or any expression.
@@ -173,10 +132,7 @@ class DrawingToStatements {
   }
 
   void assign(int i, ExprPtr target, ExprPtr value) {
-    Statement made = statementAt(i, StatementKind::Assign);
-    made.target = std::move(target);
-    made.value = std::move(value);
-    block_.body.push_back(std::move(made));
+    block_.body.push_back(assignmentOf(std::move(target), std::move(value), circuit_.element(i).span));
   }
 
   /// TRUE in the scan in which the value rises or falls.
@@ -184,16 +140,10 @@ class DrawingToStatements {
     if (edge == DrawnEdge::None) return value;
     const Span span = circuit_.element(i).span;
     const std::string instance = hidden("edge", edge == DrawnEdge::Rising ? "R_TRIG" : "F_TRIG", span);
-    Statement made = statementAt(i, StatementKind::Call);
-    made.target = pathTo({instance}, span);
-    made.target->kind = ExprKind::Call;
-    Argument clock;
-    clock.name = "CLK";
-    clock.value = std::move(value);
-    clock.span = span;
-    made.target->arguments.push_back(std::move(clock));
-    block_.body.push_back(std::move(made));
-    return pathTo({instance, "Q"}, span);
+    ExprPtr call = callOf({instance}, span);
+    addArgument(*call, std::move(value), "CLK");
+    block_.body.push_back(callStatementOf(std::move(call)));
+    return pathOf({instance, "Q"}, span);
   }
 
   /// What arrives at a pin: several lines are a parallel connection. nullptr: nothing is connected.
@@ -203,7 +153,7 @@ class DrawingToStatements {
       const int source = circuit_.sourceOf(link);
       if (source == DrawnCircuit::nothing) throw Unwritable{};
       ExprPtr one = leaving(source, link.pin);
-      value = value == nullptr ? std::move(one) : joined("OR", std::move(value), std::move(one));
+      value = value == nullptr ? std::move(one) : binaryOf("OR", std::move(value), std::move(one));
     }
     if (value == nullptr && !pin.expression.empty()) value = parsed(pin.expression, pin.span);
     if (value == nullptr) return nullptr;
@@ -231,10 +181,10 @@ class DrawingToStatements {
   ExprPtr leavingOf(int i, const std::string& pin) {
     const DrawnElement& element = circuit_.element(i);
     switch (element.kind) {
-      case DrawnKind::LeftRail: return word("TRUE", element.span);
+      case DrawnKind::LeftRail: return literalOf("TRUE", element.span);
       case DrawnKind::Contact:
         return shared(i, [&] {
-          ExprPtr flow = element.inputs.empty() ? word("TRUE", element.span) : flowInto(i);
+          ExprPtr flow = element.inputs.empty() ? literalOf("TRUE", element.span) : flowInto(i);
           ExprPtr value = edgeOf(i, seenBy(i), element.edge);
           if (element.negated) value = inverted(std::move(value));
           return both(std::move(flow), std::move(value));
@@ -263,13 +213,13 @@ class DrawingToStatements {
   ExprPtr shared(int i, Make&& make) {
     std::string& kept = flows_[static_cast<std::size_t>(i)];
     const Span span = circuit_.element(i).span;
-    if (!kept.empty()) return pathTo({kept}, span);
+    if (!kept.empty()) return pathOf({kept}, span);
     const bool isCoil = circuit_.element(i).kind == DrawnKind::Coil;
     ExprPtr value = make();
     if (circuit_.consumersOf(i).size() + (isCoil ? 1 : 0) < 2) return value;
     kept = hidden("flow", "BOOL", span);
-    assign(i, pathTo({kept}, span), std::move(value));
-    return pathTo({kept}, span);
+    assign(i, pathOf({kept}, span), std::move(value));
+    return pathOf({kept}, span);
   }
 
   const DrawnPin* outputOf(const DrawnElement& element, const std::string& pin) const {
@@ -297,16 +247,15 @@ class DrawingToStatements {
     const auto enable =
         std::ranges::find_if(element.inputs, [](const DrawnPin& p) { return foldedName(p.name) == "EN"; });
     const bool isEnabled = enable != element.inputs.end() && !enable->links.empty();
-    if (name == "ENO") return isEnabled ? arriving(i, *enable) : word("TRUE", element.span);
-    ExprPtr value = isEnabled && !isWriting_ ? resultKept(i, *enable) : callOf(i, false);
+    if (name == "ENO") return isEnabled ? arriving(i, *enable) : literalOf("TRUE", element.span);
+    ExprPtr value = isEnabled && !isWriting_ ? resultKept(i, *enable) : callAt(i, false);
     return output != nullptr && output->negated ? inverted(std::move(value)) : std::move(value);
   }
 
   /// The result of a comparison whose EN may be FALSE: it is computed where EN is TRUE, and stands in a variable.
   ExprPtr resultKept(int i, const DrawnPin& enable) {
     const DrawnElement& element = circuit_.element(i);
-    constexpr std::string_view comparisons[] = {"EQ", "NE", "GT", "GE", "LT", "LE"};
-    if (std::ranges::find(comparisons, foldedName(element.text)) == std::end(comparisons))
+    if (!isComparisonFunction(foldedName(element.text)))
       refuse(element, fmt::format("the result of {} without power flow is not modelled", nameOf(element)));
     std::string& kept = flows_[static_cast<std::size_t>(i)];
     if (kept.empty()) {
@@ -314,25 +263,17 @@ class DrawingToStatements {
       Statement made = statementAt(i, StatementKind::If);
       Branch& branch = made.branches.emplace_back();
       branch.condition = arriving(i, enable);
-      branch.body.push_back(assignmentOf(i, kept, callOf(i, false)));
+      branch.body.push_back(assignmentOf(pathOf({kept}, element.span), callAt(i, false), element.span));
       Branch& other = made.branches.emplace_back();
-      other.condition = parsed("__READING('iec-en-false-result', 'zero')", element.span);
-      other.body.push_back(assignmentOf(i, kept, word("FALSE", element.span)));
+      other.condition = readingOf("iec-en-false-result", "zero", element.span);
+      other.body.push_back(assignmentOf(pathOf({kept}, element.span), literalOf("FALSE", element.span), element.span));
       block_.body.push_back(std::move(made));
     }
-    return pathTo({kept}, element.span);
+    return pathOf({kept}, element.span);
   }
-  Statement assignmentOf(int i, const std::string& target, ExprPtr value) {
-    Statement made = statementAt(i, StatementKind::Assign);
-    made.target = pathTo({target}, circuit_.element(i).span);
-    made.value = std::move(value);
-    return made;
-  }
-
-  ExprPtr callOf(int i, bool withEnable) {
+  ExprPtr callAt(int i, bool withEnable) {
     const DrawnElement& element = circuit_.element(i);
-    ExprPtr call = pathTo({}, element.span);
-    call->kind = ExprKind::Call;
+    ExprPtr call = callOf({}, element.span);
     if (isInstance(element)) {
       ExprPtr path = parsed(element.instance, element.span);
       call->parts = std::move(path->parts);
@@ -381,18 +322,14 @@ class DrawingToStatements {
       return assign(i, parsed(element.text, element.span), std::move(flow));
     }
     const bool sets = element.storage == DrawnStorage::Set;
-    whereTrue(i, std::move(flow), parsed(element.text, element.span), word(sets ? "TRUE" : "FALSE", element.span));
+    whereTrue(i, std::move(flow), parsed(element.text, element.span), literalOf(sets ? "TRUE" : "FALSE", element.span));
   }
 
   void whereTrue(int i, ExprPtr condition, ExprPtr target, ExprPtr value) {
-    Statement made = statementAt(i, StatementKind::If);
-    Branch& branch = made.branches.emplace_back();
-    branch.condition = std::move(condition);
-    Statement inner = statementAt(i, StatementKind::Assign);
-    inner.target = std::move(target);
-    inner.value = std::move(value);
-    branch.body.push_back(std::move(inner));
-    block_.body.push_back(std::move(made));
+    const Span span = circuit_.element(i).span;
+    Statements body;
+    body.push_back(assignmentOf(std::move(target), std::move(value), span));
+    block_.body.push_back(ifOf(std::move(condition), std::move(body), span));
   }
 
   /// Behind a function with EN the variable keeps its value without power flow.
@@ -431,7 +368,7 @@ class DrawingToStatements {
     }
     declare(element);
     Statement made = statementAt(i, StatementKind::Call);
-    made.target = callOf(i, true);
+    made.target = callAt(i, true);
     block_.body.push_back(std::move(made));
     for (const DrawnPin& output : element.outputs) {
       if (!output.expression.empty()) assign(i, parsed(output.expression, output.span), memberOf(i, output.name));

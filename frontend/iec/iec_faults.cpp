@@ -3,8 +3,8 @@
 // modelled inside of it. Whether a division by 0 is a fault at all is a reading (Choice::IecDivZero, IecModZero).
 #include <algorithm>
 
-#include "analysis/flow/variable_uses.hpp"
 #include "frontend/iec/iec_lowering.hpp"
+#include "ir/iec/walk.hpp"
 
 namespace rungproof::iec {
 

@@ -86,6 +86,11 @@ bool isStandardFunction(const std::string& folded) {
   return standardFunctions().contains(folded) || conversionTarget(folded) != nullptr;
 }
 
+bool isComparisonFunction(const std::string& folded) {
+  const auto found = standardFunctions().find(folded);
+  return found != standardFunctions().end() && found->second.call == FunctionKind::Compare;
+}
+
 /// The arguments in the order of the parameters, formal or not.
 std::vector<const Expr*> Lowering::plainArguments(const Expr& expr,
                                                   std::initializer_list<std::string_view> names) const {

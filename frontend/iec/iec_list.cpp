@@ -306,14 +306,7 @@ void Lowering::listFunction(Scope& scope, const Statement& s) {
   }
   const ExprPtr call = callOf({line.op}, s.span);
   if (!line.hasNames) addArgument(*call, currentResult(scope, line.opSpan));
-  for (const Argument& operand : line.operands) {
-    Argument& argument = call->arguments.emplace_back();
-    argument.name = operand.name;
-    argument.isOutput = operand.isOutput;
-    argument.isNegated = operand.isNegated;
-    argument.span = operand.span;
-    if (operand.value != nullptr) argument.value = copyOf(*operand.value);
-  }
+  for (const Argument& operand : line.operands) call->arguments.push_back(copyOf(operand));
   loadResult(scope, *call);
 }
 

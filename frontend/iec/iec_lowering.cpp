@@ -1,9 +1,9 @@
 // Projects: variables and their places, instances, routines, the entry block.
 #include "frontend/iec/iec_lowering.hpp"
 
-#include "analysis/flow/variable_uses.hpp"
 #include "ir/iec/cpu.hpp"
 #include "ir/iec/dialect.hpp"
+#include "ir/iec/walk.hpp"
 #include "ir/s7200/cpu.hpp"
 
 namespace rungproof::iec {

@@ -247,6 +247,8 @@ class Lowering {
 
 /// Whether the standard has a function of that name, in capitals.
 bool isStandardFunction(const std::string& folded);
+/// Whether it is one whose result is a truth value: EQ, LT ...
+bool isComparisonFunction(const std::string& folded);
 /// Makes the program of everything that the files hold; the tree becomes Program::syntax.
 void buildIecProgram(Program& program, ProjectSyntax& project);
 /// Appends the blocks of the standard that the project does not have itself.

@@ -20,14 +20,17 @@ ExprPtr copyOf(const Expr& expr) {
     for (const ExprPtr& index : part.indices) copy.indices.push_back(copyOf(*index));
   }
   for (const ExprPtr& operand : expr.operands) made->operands.push_back(copyOf(*operand));
-  for (const Argument& argument : expr.arguments) {
-    Argument& copy = made->arguments.emplace_back();
-    copy.name = argument.name;
-    copy.isOutput = argument.isOutput;
-    copy.isNegated = argument.isNegated;
-    copy.span = argument.span;
-    if (argument.value != nullptr) copy.value = copyOf(*argument.value);
-  }
+  for (const Argument& argument : expr.arguments) made->arguments.push_back(copyOf(argument));
+  return made;
+}
+
+Argument copyOf(const Argument& argument) {
+  Argument made;
+  made.name = argument.name;
+  made.isOutput = argument.isOutput;
+  made.isNegated = argument.isNegated;
+  made.span = argument.span;
+  if (argument.value != nullptr) made.value = copyOf(*argument.value);
   return made;
 }
 

@@ -60,16 +60,7 @@ std::string chartProgram(const std::string& chart, const std::string& properties
 TEST(IecChartErrors, WrongChartsAreNamedAtTheirPlaces) {
   for (const WrongChart& wrong : wrongCharts) {
     SCOPED_TRACE(wrong.chart);
-    const Program program = readIecText(chartProgram(wrong.chart));
-    bool isTold = false;
-    for (const Finding& finding : program.findings) {
-      EXPECT_EQ(finding.severity, Severity::Error);
-      if (finding.message.view().find(wrong.message) == std::string_view::npos) continue;
-      isTold = true;
-      EXPECT_EQ(program.sources->position(finding.span).line, wrong.line) << finding.message.view();
-      EXPECT_EQ(program.sources->position(finding.span).column, wrong.column) << finding.message.view();
-    }
-    EXPECT_TRUE(isTold) << findingsIec(program);
+    expectErrorAt(readIecText(chartProgram(wrong.chart)), wrong.message, wrong.line, wrong.column);
   }
 }
 

@@ -22,6 +22,19 @@ inline Program readIecText(const std::string& text) { return readText("test.st",
 /// Readings of open points by their names; all others are the default.
 using IecChoices = std::vector<std::pair<std::string_view, std::string_view>>;
 
+/// The only errors of the text, one of which has that message at that place.
+inline void expectErrorAt(const Program& program, std::string_view message, std::uint32_t line, std::uint32_t column) {
+  bool isTold = false;
+  for (const Finding& finding : program.findings) {
+    EXPECT_EQ(finding.severity, Severity::Error);
+    if (finding.message.view().find(message) == std::string_view::npos) continue;
+    isTold = true;
+    EXPECT_EQ(program.sources->position(finding.span).line, line) << finding.message.view();
+    EXPECT_EQ(program.sources->position(finding.span).column, column) << finding.message.view();
+  }
+  EXPECT_TRUE(isTold) << findingsIec(program);
+}
+
 struct IecRun {
   explicit IecRun(const std::string& text, std::uint32_t scanMs = 10, const IecChoices& choices = {})
       : program(readIecText(text)), lookup(lookupIn(program)), simulator(program, options(scanMs, choices)) {

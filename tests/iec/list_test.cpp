@@ -218,16 +218,8 @@ constexpr WrongList wrongLists[] = {
 TEST(IecList, WrongListsAreNamedAtTheirPlaces) {
   for (const WrongList& wrong : wrongLists) {
     SCOPED_TRACE(wrong.lines);
-    const Program program = readIecText(listProgram("VAR a : INT; q : BOOL; t : TON; END_VAR", wrong.lines));
-    bool isTold = false;
-    for (const Finding& finding : program.findings) {
-      EXPECT_EQ(finding.severity, Severity::Error);
-      if (finding.message.view().find(wrong.message) == std::string_view::npos) continue;
-      isTold = true;
-      EXPECT_EQ(program.sources->position(finding.span).line, wrong.line) << finding.message.view();
-      EXPECT_EQ(program.sources->position(finding.span).column, wrong.column) << finding.message.view();
-    }
-    EXPECT_TRUE(isTold) << findingsIec(program);
+    expectErrorAt(readIecText(listProgram("VAR a : INT; q : BOOL; t : TON; END_VAR", wrong.lines)), wrong.message,
+                  wrong.line, wrong.column);
   }
 }
 
