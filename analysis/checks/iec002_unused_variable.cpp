@@ -22,19 +22,15 @@ std::string_view kindOf(const iec::DeclaredVariable& row) {
 }
 
 void checkIec002(const Facts& facts, FindingSink& sink) {
-  const iec::ProjectSyntax* project = facts.program().syntax.get();
-  if (project == nullptr) return;
-  const iec::VariableUses uses(*project);
+  const iec::VariableUses& uses = facts.variableUses();
   for (const iec::DeclaredVariable& row : uses.all()) {
     // Terminals are declared as they are wired; what a program offers is for others.
     const bool isOffered =
         row.block != nullptr && row.block->kind == iec::BlockKind::Program &&
         (row.variable->section == iec::Section::Input || row.variable->section == iec::Section::Output);
     if (!row.uses.empty() || !row.variable->address.empty() || isOffered || uses.isAskedFor(*row.variable)) continue;
-    Finding& finding =
-        sink.report(row.variable->span, fmt::format("{} {} is never used", kindOf(row), row.variable->name));
-    finding.address = row.variable->name;
-    if (row.block != nullptr) finding.pou = row.block->name;
+    Finding& finding = iec::reportOn(sink, row, row.variable->span,
+                                     fmt::format("{} {} is never used", kindOf(row), row.variable->name));
     finding.help = "remove the declaration, or use it";
   }
 }
@@ -55,7 +51,7 @@ extern constexpr Rule iec002_unused_variable = {
     .good =
         "PROGRAM Main\nVAR_INPUT Start : BOOL; END_VAR\nVAR_OUTPUT Run : BOOL; END_VAR\nRun := Start;\nEND_PROGRAM\n",
     .exampleCpu = "IEC-4K",
-    .peers = "SA0033; ironplc P4011",
+    .peers = "SA0033",
     .dialects = dialect::Iec,
     .surplus = true,
     .check = checkIec002,

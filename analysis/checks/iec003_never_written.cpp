@@ -18,18 +18,14 @@ bool isOwn(const iec::DeclaredVariable& row) {
 }
 
 void checkIec003(const Facts& facts, FindingSink& sink) {
-  const iec::ProjectSyntax* project = facts.program().syntax.get();
-  if (project == nullptr) return;
-  const iec::VariableUses uses(*project);
+  const iec::VariableUses& uses = facts.variableUses();
   for (const iec::DeclaredVariable& row : uses.all()) {
     if (!isOwn(row) || !row.isRead() || row.isWritten() || uses.blockOf(*row.variable) != nullptr) continue;
     if (row.isCalled()) continue;
     const bool isGiven = row.variable->initial != nullptr;
     Finding& finding =
-        sink.report(row.variable->span, fmt::format("{} is read, but never written", row.variable->name));
+        iec::reportOn(sink, row, row.variable->span, fmt::format("{} is read, but never written", row.variable->name));
     if (isGiven) finding.severity = Severity::Note;
-    finding.address = row.variable->name;
-    if (row.block != nullptr) finding.pou = row.block->name;
     for (const iec::VariableUse& use : row.uses) {
       if (!use.reads) continue;
       finding.related.push_back({use.span, "it is read here"});

@@ -10,18 +10,14 @@ namespace rungproof {
 namespace {
 
 void checkIec004(const Facts& facts, FindingSink& sink) {
-  const iec::ProjectSyntax* project = facts.program().syntax.get();
-  if (project == nullptr) return;
-  const iec::VariableUses uses(*project);
+  const iec::VariableUses& uses = facts.variableUses();
   for (const iec::DeclaredVariable& row : uses.all()) {
     const iec::Section section = row.variable->section;
     const bool isLocal = row.block != nullptr && (section == iec::Section::Local || section == iec::Section::Temp);
     if (!isLocal || !row.variable->address.empty() || !row.isWritten() || row.isRead() || row.isCalled()) continue;
     if (uses.blockOf(*row.variable) != nullptr || uses.isAskedFor(*row.variable)) continue;
     Finding& finding =
-        sink.report(row.variable->span, fmt::format("{} is written, but never read", row.variable->name));
-    finding.address = row.variable->name;
-    if (row.block != nullptr) finding.pou = row.block->name;
+        iec::reportOn(sink, row, row.variable->span, fmt::format("{} is written, but never read", row.variable->name));
     finding.related.push_back({row.uses.front().span, "it is written here"});
     finding.help = "remove it, or use its value; declare it VAR_OUTPUT if others read it";
   }

@@ -78,9 +78,8 @@ class ResultPaths {
 };
 
 void checkIec005(const Facts& facts, FindingSink& sink) {
-  const iec::ProjectSyntax* project = facts.program().syntax.get();
-  if (project == nullptr) return;
-  iec::eachOwnBlock(*project, [&](const iec::BlockSyntax& block) {
+  const iec::VariableUses& uses = facts.variableUses();
+  iec::eachOwnBlock(uses.project(), [&](const iec::BlockSyntax& block) {
     if (block.kind != iec::BlockKind::Function || block.result == nullptr || iec::isList(block.body)) return;
     ResultPaths paths(block.name);
     const std::optional<bool> end = paths.list(block.body, false);
@@ -91,14 +90,12 @@ void checkIec005(const Facts& facts, FindingSink& sink) {
     if (paths.leftAt() != nullptr) finding.related.push_back({paths.leftAt()->span, "the function can be left here"});
     finding.help = fmt::format("begin with '{} := ...;'", block.name);
   });
-  const iec::VariableUses uses(*project);
   for (const iec::DeclaredVariable& row : uses.all()) {
     const bool isOutput = row.block != nullptr && row.variable->section == iec::Section::Output;
     if (!isOutput || row.isWritten() || row.isCalled() || uses.blockOf(*row.variable) != nullptr) continue;
-    Finding& finding = sink.report(
-        row.variable->span, fmt::format("output {} of {} is never written", row.variable->name, row.block->name));
-    finding.address = row.variable->name;
-    if (row.block != nullptr) finding.pou = row.block->name;
+    Finding& finding =
+        iec::reportOn(sink, row, row.variable->span,
+                      fmt::format("output {} of {} is never written", row.variable->name, row.block->name));
     finding.help = "write it, or remove it";
   }
 }
@@ -119,7 +116,7 @@ extern constexpr Rule iec005_result_not_assigned = {
         "PROGRAM Main\nVAR_INPUT x : INT; END_VAR\nVAR_OUTPUT y : INT; END_VAR\ny := Half(x);\nEND_PROGRAM\nFUNCTION "
         "Half : INT\nVAR_INPUT x : INT; END_VAR\nHalf := 0;\nIF x > 1 THEN\n  Half := x / 2;\nEND_IF;\nEND_FUNCTION\n",
     .exampleCpu = "IEC-4K",
-    .peers = "SA0009",
+    .peers = "SA0022",
     .dialects = dialect::Iec,
     .check = checkIec005,
 };

@@ -109,10 +109,8 @@ class OverwrittenValues {
 };
 
 void checkIec006(const Facts& facts, FindingSink& sink) {
-  const iec::ProjectSyntax* project = facts.program().syntax.get();
-  if (project == nullptr) return;
-  const iec::VariableUses uses(*project);
-  iec::eachOwnBlock(*project, [&](const iec::BlockSyntax& block) {
+  const iec::VariableUses& uses = facts.variableUses();
+  iec::eachOwnBlock(uses.project(), [&](const iec::BlockSyntax& block) {
     iec::eachBody(block, [&](const iec::Statements& body) { OverwrittenValues(uses, block, sink).list(body); });
   });
 }
@@ -135,7 +133,7 @@ extern constexpr Rule iec006_value_overwritten = {
         "PROGRAM Main\nVAR_INPUT Hand, Auto : BOOL; END_VAR\nVAR_OUTPUT Motor : BOOL; END_VAR\nMotor := Hand OR "
         "Auto;\nEND_PROGRAM\n",
     .exampleCpu = "IEC-4K",
-    .peers = "SA0024; OUT001",
+    .peers = "SA0004 (nearest)",
     .dialects = dialect::Iec,
     .check = checkIec006,
 };

@@ -11,9 +11,7 @@ namespace rungproof {
 namespace {
 
 void checkIec007(const Facts& facts, FindingSink& sink) {
-  const iec::ProjectSyntax* project = facts.program().syntax.get();
-  if (project == nullptr) return;
-  const iec::VariableUses uses(*project);
+  const iec::VariableUses& uses = facts.variableUses();
   for (const iec::DeclaredVariable& row : uses.all()) {
     const iec::BlockSyntax* of = uses.blockOf(*row.variable);
     const bool isGiven =
@@ -23,10 +21,9 @@ void checkIec007(const Facts& facts, FindingSink& sink) {
     bool isHandedOn = false;
     for (const iec::VariableUse& use : row.uses) isHandedOn = isHandedOn || use.isWhole;
     if (isHandedOn) continue;
-    Finding& finding = sink.report(row.variable->span,
-                                   fmt::format("{}, an instance of {}, is never called", row.variable->name, of->name));
-    finding.address = row.variable->name;
-    if (row.block != nullptr) finding.pou = row.block->name;
+    Finding& finding =
+        iec::reportOn(sink, row, row.variable->span,
+                      fmt::format("{}, an instance of {}, is never called", row.variable->name, of->name));
     finding.related.push_back({row.uses.front().span, "it is used here"});
     finding.help = fmt::format("call it in every scan: {}(...);", row.variable->name);
   }

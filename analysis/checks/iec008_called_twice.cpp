@@ -62,9 +62,7 @@ bool hasInput(const iec::BlockSyntax& block, std::initializer_list<std::string_v
 }
 
 void checkIec008(const Facts& facts, FindingSink& sink) {
-  const iec::ProjectSyntax* project = facts.program().syntax.get();
-  if (project == nullptr) return;
-  const iec::VariableUses uses(*project);
+  const iec::VariableUses& uses = facts.variableUses();
   for (const iec::DeclaredVariable& row : uses.all()) {
     const iec::BlockSyntax* of = uses.blockOf(*row.variable);
     if (row.block == nullptr || of == nullptr || !of->isLibrary) continue;
@@ -81,9 +79,8 @@ void checkIec008(const Facts& facts, FindingSink& sink) {
                                        [&](const InstanceCall& call) { return canBothRun(call.path, calls[i].path); });
       if (before == calls.begin() + static_cast<std::ptrdiff_t>(i)) continue;
       Finding& finding =
-          sink.report(calls[i].statement->target->span,
-                      fmt::format("{}, a {}, is called twice in one scan", row.variable->name, of->name));
-      finding.address = row.variable->name;
+          iec::reportOn(sink, row, calls[i].statement->target->span,
+                        fmt::format("{}, a {}, is called twice in one scan", row.variable->name, of->name));
       finding.related.push_back({before->statement->target->span, "the first call"});
       finding.help = "give each place an instance of its own";
     }
@@ -119,7 +116,7 @@ extern constexpr Rule iec008_called_twice = {
         "END_VAR\nEdge(CLK := a);\nx := Edge.Q;\nOther(CLK := b);\ny := Other.Q;\nEND_PROGRAM\n",
     .exampleCpu = "IEC-4K",
     .falsePositives = "a counter that should count in one state of a machine only: silence the line",
-    .peers = "SA0160",
+    .peers = "SA0105",
     .dialects = dialect::Iec,
     .check = checkIec008,
 };

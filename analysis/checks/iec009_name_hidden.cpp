@@ -13,15 +13,15 @@ namespace rungproof {
 namespace {
 
 void checkIec009(const Facts& facts, FindingSink& sink) {
-  const iec::ProjectSyntax* project = facts.program().syntax.get();
-  if (project == nullptr) return;
+  const iec::VariableUses& uses = facts.variableUses();
   std::map<std::string, const iec::VariableSyntax*> globals;
-  for (const iec::VariableSyntax& global : project->globals) globals.emplace(iec::foldedName(global.name), &global);
+  for (const iec::VariableSyntax& global : uses.project().globals)
+    globals.emplace(iec::foldedName(global.name), &global);
   std::map<std::string, const iec::BlockSyntax*> blocks;
-  for (const iec::BlockSyntax& block : project->blocks) {
+  for (const iec::BlockSyntax& block : uses.project().blocks) {
     if (!block.isLibrary) blocks.emplace(iec::foldedName(block.name), &block);
   }
-  iec::eachOwnBlock(*project, [&](const iec::BlockSyntax& block) {
+  iec::eachOwnBlock(uses.project(), [&](const iec::BlockSyntax& block) {
     for (const iec::VariableSyntax& variable : block.variables) {
       if (variable.section == iec::Section::External) continue;
       const auto global = globals.find(iec::foldedName(variable.name));
@@ -57,7 +57,7 @@ extern constexpr Rule iec009_name_hidden = {
         "END_VAR\nVAR_EXTERNAL Fault : BOOL; END_VAR\nVAR_OUTPUT Lamp : BOOL; END_VAR\nFault := a;\nLamp := "
         "Fault;\nEND_PROGRAM\n",
     .exampleCpu = "IEC-4K",
-    .peers = "SA0028",
+    .peers = "SA0013; SA0027",
     .dialects = dialect::Iec,
     .check = checkIec009,
 };

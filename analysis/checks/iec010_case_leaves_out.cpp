@@ -23,35 +23,32 @@ const iec::TypeSyntax* enumerationOf(const iec::VariableUses& uses, const iec::B
 }
 
 void checkIec010(const Facts& facts, FindingSink& sink) {
-  const iec::ProjectSyntax* project = facts.program().syntax.get();
-  if (project == nullptr) return;
-  const iec::VariableUses uses(*project);
-  iec::eachOwnBlock(*project, [&](const iec::BlockSyntax& block) {
-    iec::eachWrittenStatement(block, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {
-      if (one.kind != iec::StatementKind::Case || one.hasElse || one.value == nullptr) return;
-      const iec::TypeSyntax* type = enumerationOf(uses, block, *one.value);
-      if (type == nullptr) return;
-      std::set<std::string> named;
-      for (const iec::Branch& branch : one.branches) {
-        for (const iec::CaseLabel& label : branch.labels) {
-          // A range of enumerators, or a label that is no enumerator: not counted.
-          const iec::Expr* low = label.high == nullptr ? label.low.get() : nullptr;
-          if (low != nullptr && low->kind == iec::ExprKind::Path && !low->parts.empty())
-            named.insert(iec::foldedName(low->parts.back().name));
-          else if (low != nullptr && low->kind == iec::ExprKind::Literal && !low->prefix.empty())  // State#Idle
-            named.insert(iec::foldedName(low->text));
-          else
-            return;
-        }
+  const iec::VariableUses& uses = facts.variableUses();
+  iec::eachOwnStatement(uses.project(), [&](const iec::BlockSyntax& block, const iec::Statement& one,
+                                            const iec::Statements&, std::size_t) {
+    if (one.kind != iec::StatementKind::Case || one.hasElse || one.value == nullptr) return;
+    const iec::TypeSyntax* type = enumerationOf(uses, block, *one.value);
+    if (type == nullptr) return;
+    std::set<std::string> named;
+    for (const iec::Branch& branch : one.branches) {
+      for (const iec::CaseLabel& label : branch.labels) {
+        // A range of enumerators, or a label that is no enumerator: not counted.
+        const iec::Expr* low = label.high == nullptr ? label.low.get() : nullptr;
+        if (low != nullptr && low->kind == iec::ExprKind::Path && !low->parts.empty())
+          named.insert(iec::foldedName(low->parts.back().name));
+        else if (low != nullptr && low->kind == iec::ExprKind::Literal && !low->prefix.empty())  // State#Idle
+          named.insert(iec::foldedName(low->text));
+        else
+          return;
       }
-      std::string missing;
-      for (const auto& [name, value] : type->items) {
-        if (!named.contains(iec::foldedName(name))) missing += (missing.empty() ? "" : ", ") + name;
-      }
-      if (missing.empty()) return;
-      Finding& finding = sink.report(one.value->span, fmt::format("the CASE does nothing for {}", missing));
-      finding.help = "add what is missing, or an ELSE";
-    });
+    }
+    std::string missing;
+    for (const auto& [name, value] : type->items) {
+      if (!named.contains(iec::foldedName(name))) missing += (missing.empty() ? "" : ", ") + name;
+    }
+    if (missing.empty()) return;
+    Finding& finding = sink.report(one.value->span, fmt::format("the CASE does nothing for {}", missing));
+    finding.help = "add what is missing, or an ELSE";
   });
 }
 
@@ -74,7 +71,7 @@ extern constexpr Rule iec010_case_leaves_out = {
         "END_IF;\n  Filling: Valve := TRUE; Now := Draining;\n  Draining: Valve := FALSE; Now := "
         "Idle;\nEND_CASE;\nEND_PROGRAM\n",
     .exampleCpu = "IEC-4K",
-    .peers = "SA0075",
+    .peers = "SA0076",
     .dialects = dialect::Iec,
     .check = checkIec010,
 };

@@ -40,26 +40,24 @@ bool takes(const iec::CaseLabel& first, const iec::CaseLabel& second) {
 }
 
 void checkIec011(const Facts& facts, FindingSink& sink) {
-  const iec::ProjectSyntax* project = facts.program().syntax.get();
-  if (project == nullptr) return;
-  iec::eachOwnBlock(*project, [&](const iec::BlockSyntax& block) {
-    iec::eachWrittenStatement(block, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {
-      if (one.kind != iec::StatementKind::Case) return;
-      std::vector<const iec::CaseLabel*> before;
-      for (const iec::Branch& branch : one.branches) {
-        for (const iec::CaseLabel& label : branch.labels) {
-          for (const iec::CaseLabel* other : before) {
-            if (!takes(*other, label)) continue;
-            Finding& finding = sink.report(label.low->span, "a label before this one has the value already");
-            finding.related.push_back({other->low->span, "the first label"});
-            finding.help = "the first label wins: remove one of them";
-            break;
+  const iec::VariableUses& uses = facts.variableUses();
+  iec::eachOwnStatement(
+      uses.project(), [&](const iec::BlockSyntax&, const iec::Statement& one, const iec::Statements&, std::size_t) {
+        if (one.kind != iec::StatementKind::Case) return;
+        std::vector<const iec::CaseLabel*> before;
+        for (const iec::Branch& branch : one.branches) {
+          for (const iec::CaseLabel& label : branch.labels) {
+            for (const iec::CaseLabel* other : before) {
+              if (!takes(*other, label)) continue;
+              Finding& finding = sink.report(label.low->span, "a label before this one has the value already");
+              finding.related.push_back({other->low->span, "the first label"});
+              finding.help = "the first label wins: remove one of them";
+              break;
+            }
+            before.push_back(&label);
           }
-          before.push_back(&label);
         }
-      }
-    });
-  });
+      });
 }
 
 }  // namespace
@@ -78,7 +76,6 @@ extern constexpr Rule iec011_case_label_twice = {
         "PROGRAM Main\nVAR_INPUT n : INT; END_VAR\nVAR_OUTPUT q : INT; END_VAR\nCASE n OF\n  1..4: q := 1;\n  5: q := "
         "2;\nELSE\n  q := 0;\nEND_CASE;\nEND_PROGRAM\n",
     .exampleCpu = "IEC-4K",
-    .peers = "SA0076",
     .dialects = dialect::Iec,
     .check = checkIec011,
 };

@@ -54,21 +54,15 @@ bool isRealZero(const iec::Expr& expr) {
 }
 
 void checkIec012(const Facts& facts, FindingSink& sink) {
-  const iec::ProjectSyntax* project = facts.program().syntax.get();
-  if (project == nullptr) return;
-  const iec::VariableUses uses(*project);
-  iec::eachOwnBlock(*project, [&](const iec::BlockSyntax& block) {
-    iec::eachWrittenStatement(block, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {
-      iec::eachExpression(one, [&](const iec::Expr& expr) {
-        if (expr.kind != iec::ExprKind::Binary || (expr.text != "=" && expr.text != "<>") || expr.operands.size() != 2)
-          return;
-        if (iec::isSame(*expr.operands[0], *expr.operands[1])) return;  // asks whether it is a number
-        if (isRealZero(*expr.operands[0]) || isRealZero(*expr.operands[1])) return;
-        if (!isRealValue(uses, block, *expr.operands[0]) && !isRealValue(uses, block, *expr.operands[1])) return;
-        Finding& finding = sink.report(expr.span, fmt::format("REAL values are compared with {}", expr.text));
-        finding.help = "compare the distance with a tolerance: ABS(a - b) < 0.01";
-      });
-    });
+  const iec::VariableUses& uses = facts.variableUses();
+  iec::eachOwnExpression(uses.project(), [&](const iec::BlockSyntax& block, const iec::Expr& expr) {
+    if (expr.kind != iec::ExprKind::Binary || (expr.text != "=" && expr.text != "<>") || expr.operands.size() != 2)
+      return;
+    if (iec::isSame(*expr.operands[0], *expr.operands[1])) return;  // asks whether it is a number
+    if (isRealZero(*expr.operands[0]) || isRealZero(*expr.operands[1])) return;
+    if (!isRealValue(uses, block, *expr.operands[0]) && !isRealValue(uses, block, *expr.operands[1])) return;
+    Finding& finding = sink.report(expr.span, fmt::format("REAL values are compared with {}", expr.text));
+    finding.help = "compare the distance with a tolerance: ABS(a - b) < 0.01";
   });
 }
 

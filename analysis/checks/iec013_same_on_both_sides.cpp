@@ -21,27 +21,21 @@ bool isRealPlace(const iec::VariableUses& uses, const iec::BlockSyntax& block, c
 }
 
 void checkIec013(const Facts& facts, FindingSink& sink) {
-  const iec::ProjectSyntax* project = facts.program().syntax.get();
-  if (project == nullptr) return;
-  const iec::VariableUses uses(*project);
+  const iec::VariableUses& uses = facts.variableUses();
   constexpr std::string_view operators[] = {"=", "<>", "<", "<=", ">", ">=", "AND", "&", "OR", "XOR", "-", "/", "MOD"};
-  iec::eachOwnBlock(*project, [&](const iec::BlockSyntax& block) {
-    iec::eachWrittenStatement(block, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {
-      iec::eachExpression(one, [&](const iec::Expr& expr) {
-        if (expr.kind != iec::ExprKind::Binary || expr.operands.size() != 2) return;
-        if (std::ranges::find(operators, expr.text) == std::end(operators)) return;
-        const iec::Expr &left = *expr.operands[0], &right = *expr.operands[1];
-        // The last operand of a chain a AND b AND b stands beside the one before it.
-        const bool isChain = left.kind == iec::ExprKind::Binary && left.text == expr.text &&
-                             left.operands.size() == 2 && (expr.text == "AND" || expr.text == "OR" || expr.text == "&");
-        const bool isTwice = iec::isSame(left, right) || (isChain && iec::isSame(*left.operands[1], right));
-        const bool isNumber = left.kind == iec::ExprKind::Literal;
-        const bool asksForNumber = (expr.text == "=" || expr.text == "<>") && isRealPlace(uses, block, left);
-        if (!isTwice || isNumber || asksForNumber) return;
-        Finding& finding = sink.report(expr.span, fmt::format("both sides of {} are the same", expr.text));
-        finding.help = "one of them is probably meant to be another variable";
-      });
-    });
+  iec::eachOwnExpression(uses.project(), [&](const iec::BlockSyntax& block, const iec::Expr& expr) {
+    if (expr.kind != iec::ExprKind::Binary || expr.operands.size() != 2) return;
+    if (std::ranges::find(operators, expr.text) == std::end(operators)) return;
+    const iec::Expr &left = *expr.operands[0], &right = *expr.operands[1];
+    // The last operand of a chain a AND b AND b stands beside the one before it.
+    const bool isChain = left.kind == iec::ExprKind::Binary && left.text == expr.text && left.operands.size() == 2 &&
+                         (expr.text == "AND" || expr.text == "OR" || expr.text == "&");
+    const bool isTwice = iec::isSame(left, right) || (isChain && iec::isSame(*left.operands[1], right));
+    const bool isNumber = left.kind == iec::ExprKind::Literal;
+    const bool asksForNumber = (expr.text == "=" || expr.text == "<>") && isRealPlace(uses, block, left);
+    if (!isTwice || isNumber || asksForNumber) return;
+    Finding& finding = sink.report(expr.span, fmt::format("both sides of {} are the same", expr.text));
+    finding.help = "one of them is probably meant to be another variable";
   });
 }
 

@@ -17,32 +17,30 @@ bool isLiteral(const iec::Expr* expr, std::string_view value) {
 }
 
 void checkIec014(const Facts& facts, FindingSink& sink) {
-  const iec::ProjectSyntax* project = facts.program().syntax.get();
-  if (project == nullptr) return;
+  const iec::VariableUses& uses = facts.variableUses();
   const auto report = [&](Span span, std::string message) {
     sink.report(span, std::move(message)).help = "remove the statements, or the condition in front of them";
   };
-  iec::eachOwnBlock(*project, [&](const iec::BlockSyntax& block) {
-    iec::eachWrittenStatement(block, [&](const iec::Statement& one, const iec::Statements& list, std::size_t index) {
-      using enum iec::StatementKind;
-      const bool leaves = one.kind == Return || one.kind == Exit || one.kind == Continue;
-      if (leaves && index + 1 < list.size())
-        report(list[index + 1].span, "this never runs: the statement in front of it leaves the list");
-      if (one.kind == If) {
-        bool isTaken = false;
-        for (const iec::Branch& branch : one.branches) {
-          if (isTaken && branch.condition != nullptr)
-            report(branch.condition->span, "this branch is never taken: the one in front of it always is");
-          if (isLiteral(branch.condition.get(), "FALSE"))
-            report(branch.condition->span, "this branch is never taken: its condition is FALSE");
-          isTaken = isTaken || isLiteral(branch.condition.get(), "TRUE");
-        }
-        if (isTaken && !one.otherwise.empty())
-          report(one.otherwise.front().span, "this never runs: a branch in front of it is always taken");
+  iec::eachOwnStatement(uses.project(), [&](const iec::BlockSyntax&, const iec::Statement& one,
+                                            const iec::Statements& list, std::size_t index) {
+    using enum iec::StatementKind;
+    const bool leaves = one.kind == Return || one.kind == Exit || one.kind == Continue;
+    if (leaves && index + 1 < list.size())
+      report(list[index + 1].span, "this never runs: the statement in front of it leaves the list");
+    if (one.kind == If) {
+      bool isTaken = false;
+      for (const iec::Branch& branch : one.branches) {
+        if (isTaken && branch.condition != nullptr)
+          report(branch.condition->span, "this branch is never taken: the one in front of it always is");
+        if (isLiteral(branch.condition.get(), "FALSE"))
+          report(branch.condition->span, "this branch is never taken: its condition is FALSE");
+        isTaken = isTaken || isLiteral(branch.condition.get(), "TRUE");
       }
-      if (one.kind == While && isLiteral(one.value.get(), "FALSE"))
-        report(one.value->span, "the loop never runs: its condition is FALSE");
-    });
+      if (isTaken && !one.otherwise.empty())
+        report(one.otherwise.front().span, "this never runs: a branch in front of it is always taken");
+    }
+    if (one.kind == While && isLiteral(one.value.get(), "FALSE"))
+      report(one.value->span, "the loop never runs: its condition is FALSE");
   });
 }
 

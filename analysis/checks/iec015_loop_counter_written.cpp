@@ -10,27 +10,25 @@ namespace rungproof {
 namespace {
 
 void checkIec015(const Facts& facts, FindingSink& sink) {
-  const iec::ProjectSyntax* project = facts.program().syntax.get();
-  if (project == nullptr) return;
+  const iec::VariableUses& uses = facts.variableUses();
   const auto nameOf = [](const iec::Expr* path) {
     const bool isName = path != nullptr && path->kind == iec::ExprKind::Path && path->parts.size() == 1;
     return isName ? iec::foldedName(path->parts[0].name) : std::string();
   };
-  iec::eachOwnBlock(*project, [&](const iec::BlockSyntax& block) {
-    iec::eachWrittenStatement(block, [&](const iec::Statement& loop, const iec::Statements&, std::size_t) {
-      const std::string counter = loop.kind == iec::StatementKind::For ? nameOf(loop.target.get()) : "";
-      if (counter.empty()) return;
-      iec::eachStatement(loop.otherwise, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {
-        const bool writes = one.kind == iec::StatementKind::Assign || one.kind == iec::StatementKind::For;
-        if (!writes || nameOf(one.target.get()) != counter) return;
-        Finding& finding = sink.report(one.target->span,
-                                       fmt::format("the loop writes its own counter {}", loop.target->parts[0].name));
-        finding.address = loop.target->parts[0].name;
-        finding.related.push_back({loop.target->span, "the counter of this loop"});
-        finding.help = "leave the loop with EXIT, or use WHILE";
+  iec::eachOwnStatement(
+      uses.project(), [&](const iec::BlockSyntax&, const iec::Statement& loop, const iec::Statements&, std::size_t) {
+        const std::string counter = loop.kind == iec::StatementKind::For ? nameOf(loop.target.get()) : "";
+        if (counter.empty()) return;
+        iec::eachStatement(loop.otherwise, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {
+          const bool writes = one.kind == iec::StatementKind::Assign || one.kind == iec::StatementKind::For;
+          if (!writes || nameOf(one.target.get()) != counter) return;
+          Finding& finding = sink.report(one.target->span,
+                                         fmt::format("the loop writes its own counter {}", loop.target->parts[0].name));
+          finding.address = loop.target->parts[0].name;
+          finding.related.push_back({loop.target->span, "the counter of this loop"});
+          finding.help = "leave the loop with EXIT, or use WHILE";
+        });
       });
-    });
-  });
 }
 
 }  // namespace

@@ -10,9 +10,7 @@ namespace rungproof {
 namespace {
 
 void checkIec016(const Facts& facts, FindingSink& sink) {
-  const iec::ProjectSyntax* project = facts.program().syntax.get();
-  if (project == nullptr) return;
-  const iec::VariableUses uses(*project);
+  const iec::VariableUses& uses = facts.variableUses();
   for (const iec::DeclaredVariable& row : uses.all()) {
     const std::string& address = row.variable->address;
     const bool isTerminal = address.size() > 1 && (address[1] == 'I' || address[1] == 'i');
@@ -20,8 +18,8 @@ void checkIec016(const Facts& facts, FindingSink& sink) {
     if (!isInput && !isTerminal) continue;
     for (const iec::VariableUse& use : row.uses) {
       if (!use.writes || (isInput && use.block != row.block)) continue;
-      Finding& finding = sink.report(use.span, fmt::format("{} is an input, and is written here", row.variable->name));
-      finding.address = row.variable->name;
+      Finding& finding =
+          iec::reportOn(sink, row, use.span, fmt::format("{} is an input, and is written here", row.variable->name));
       finding.related.push_back({row.variable->span, "it is declared here"});
       finding.help = "work on a variable of its own";
     }
@@ -45,7 +43,7 @@ extern constexpr Rule iec016_input_written = {
     .good =
         "PROGRAM Main\nVAR_INPUT Start : BOOL; END_VAR\nVAR_OUTPUT Run : BOOL; END_VAR\nRun := Start;\nEND_PROGRAM\n",
     .exampleCpu = "IEC-4K",
-    .peers = "SA0038",
+    .peers = "SA0037",
     .dialects = dialect::Iec,
     .check = checkIec016,
 };

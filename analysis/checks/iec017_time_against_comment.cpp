@@ -62,11 +62,10 @@ std::string_view commentBehind(const SourceSet& sources, Span span) {
 }
 
 void checkIec017(const Facts& facts, FindingSink& sink) {
-  const iec::ProjectSyntax* project = facts.program().syntax.get();
-  if (project == nullptr) return;
+  const iec::VariableUses& uses = facts.variableUses();
   const SourceSet& sources = *facts.program().sources;
   std::vector<const iec::Expr*> literals;
-  iec::eachOwnBlock(*project, [&](const iec::BlockSyntax& block) {
+  iec::eachOwnBlock(uses.project(), [&](const iec::BlockSyntax& block) {
     for (const iec::VariableSyntax& variable : block.variables) {
       if (variable.initial != nullptr && variable.initial->value != nullptr && isDuration(*variable.initial->value))
         literals.push_back(variable.initial->value.get());

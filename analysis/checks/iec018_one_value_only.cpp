@@ -23,9 +23,7 @@ std::optional<bool> literalBool(const iec::Expr* expr) {
 }
 
 void checkIec018(const Facts& facts, FindingSink& sink) {
-  const iec::ProjectSyntax* project = facts.program().syntax.get();
-  if (project == nullptr) return;
-  const iec::VariableUses uses(*project);
+  const iec::VariableUses& uses = facts.variableUses();
   for (const iec::DeclaredVariable& row : uses.all()) {
     const iec::VariableSyntax& variable = *row.variable;
     const bool isBool = variable.type != nullptr && variable.type->form == iec::TypeForm::Named &&
@@ -70,7 +68,6 @@ extern constexpr Rule iec018_one_value_only = {
         "TRUE; END_IF;\nIF Ack THEN Alarm := FALSE; END_IF;\nEND_PROGRAM\n",
     .exampleCpu = "IEC-4K",
     .falsePositives = "a bit that marks the end of the first scan, or that a panel resets: silence the line",
-    .peers = "OUT003",
     .dialects = dialect::Iec,
     .check = checkIec018,
 };

@@ -13,12 +13,11 @@ namespace rungproof {
 namespace {
 
 void checkIec019(const Facts& facts, FindingSink& sink) {
-  const iec::ProjectSyntax* project = facts.program().syntax.get();
-  if (project == nullptr) return;
+  const iec::VariableUses& uses = facts.variableUses();
   // A project without a program is a library.
   const auto isProgram = [](const iec::BlockSyntax& block) { return block.kind == iec::BlockKind::Program; };
-  if (std::ranges::none_of(project->blocks, isProgram)) return;
-  if (std::ranges::any_of(project->blocks,
+  if (std::ranges::none_of(uses.project().blocks, isProgram)) return;
+  if (std::ranges::any_of(uses.project().blocks,
                           [](const iec::BlockSyntax& block) { return !block.isWhole || !block.unread.empty(); }))
     return;
   std::set<std::string> used;
@@ -31,9 +30,9 @@ void checkIec019(const Facts& facts, FindingSink& sink) {
       type = type->element.get();
     }
   };
-  for (const iec::NamedType& type : project->types) ofType(type.type.get());
-  for (const iec::VariableSyntax& global : project->globals) ofType(global.type.get());
-  for (const iec::BlockSyntax& block : project->blocks) {
+  for (const iec::NamedType& type : uses.project().types) ofType(type.type.get());
+  for (const iec::VariableSyntax& global : uses.project().globals) ofType(global.type.get());
+  for (const iec::BlockSyntax& block : uses.project().blocks) {
     for (const iec::VariableSyntax& variable : block.variables) ofType(variable.type.get());
     iec::eachStatementOf(block, [&](const iec::Statement& one, const iec::Statements&, std::size_t) {
       iec::eachExpression(one, [&](const iec::Expr& expr) {
@@ -43,7 +42,7 @@ void checkIec019(const Facts& facts, FindingSink& sink) {
       });
     });
   }
-  iec::eachOwnBlock(*project, [&](const iec::BlockSyntax& block) {
+  iec::eachOwnBlock(uses.project(), [&](const iec::BlockSyntax& block) {
     if (block.kind == iec::BlockKind::Program || used.contains(iec::foldedName(block.name))) return;
     Finding& finding = sink.report(
         block.span, fmt::format("{} {} is never used",
@@ -70,7 +69,6 @@ extern constexpr Rule iec019_block_never_used = {
         "Inverse(a);\nEND_PROGRAM\nFUNCTION Inverse : BOOL\nVAR_INPUT x : BOOL; END_VAR\nInverse := NOT "
         "x;\nEND_FUNCTION\n",
     .exampleCpu = "IEC-4K",
-    .peers = "ironplc P4012",
     .dialects = dialect::Iec,
     .surplus = true,
     .check = checkIec019,

@@ -8,6 +8,7 @@
 
 #include "analysis/flow/dataflow_pointers.hpp"
 #include "analysis/flow/pulse_bits.hpp"
+#include "analysis/flow/variable_uses.hpp"
 #include "analysis/read_errors.hpp"
 #include "ir/block_map.hpp"
 #include "ir/s7300/block.hpp"
@@ -67,6 +68,8 @@ Facts::Facts(const Program& program, std::span<const ExternalRange> externals, S
   collectExternals();
   findPulses();
   pointers_ = std::make_unique<const PointerTable>(*this);
+  static const iec::ProjectSyntax none;
+  variableUses_ = std::make_unique<const iec::VariableUses>(program.syntax != nullptr ? *program.syntax : none);
 }
 
 Facts::~Facts() = default;

@@ -30,6 +30,9 @@
 namespace rungproof {
 
 class PointerTable;  // analysis/flow/dataflow_pointers.hpp
+namespace iec {
+class VariableUses;  // analysis/flow/variable_uses.hpp
+}
 
 /// Where an instruction stands.
 struct InstructionPlace {
@@ -145,6 +148,8 @@ class Facts {
   const StackRun& stack() const { return stack_; }
   const ExecutionTable& execution() const { return execution_; }
   const PointerTable& pointers() const { return *pointers_; }
+  /// IEC 61131-3: where its texts use their variables; of other programs nothing.
+  const iec::VariableUses& variableUses() const { return *variableUses_; }
   /// What may leave the instruction out in a scan (ExecutionTable::skipper), or nullptr.
   const Instruction* skippedBy(std::uint32_t id) const {
     return execution_.at(id).isSkipped ? &instruction(execution_.skipper(id)) : nullptr;
@@ -230,6 +235,7 @@ class Facts {
   StackRun stack_;
   ExecutionTable execution_;
   std::unique_ptr<const PointerTable> pointers_;
+  std::unique_ptr<const iec::VariableUses> variableUses_;
   std::array<std::vector<std::uint32_t>, 256> timers_, counters_;
   std::vector<std::uint8_t> external_;
   bool hasHiddenCode_ = false, hasUnreadCode_ = false, hasUnreadFrame_ = false;

@@ -4,14 +4,18 @@
 // Tested by tests/rules/iec_rules_test.cpp.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "ir/iec/syntax.hpp"
+#include "ir/iec/walk.hpp"
+
+namespace rungproof {
+class FindingSink;  // analysis/rule.hpp
+struct Finding;
+}  // namespace rungproof
 
 namespace rungproof::iec {
 
@@ -35,8 +39,12 @@ struct DeclaredVariable {
   bool isCalled() const;
 };
 
+/// A finding about the variable at one of its places.
+Finding& reportOn(FindingSink& sink, const DeclaredVariable& row, Span span, std::string message);
+
 class VariableUses {
  public:
+  /// The project must outlive it.
   explicit VariableUses(const ProjectSyntax& project);
 
   /// In the order of the files: of each block that was read whole and is not of the standard, then the globals.
@@ -65,27 +73,5 @@ class VariableUses {
   std::map<std::string, const BlockSyntax*> blocks_;
   std::map<std::string, const NamedType*> types_;
 };
-
-/// Calls visit(statement, list, index) for every statement, those inside others too; `list` holds it.
-void eachStatement(const Statements& list,
-                   const std::function<void(const Statement&, const Statements&, std::size_t)>& visit);
-/// The same for the body of a block and its actions: `eachStatementOf` for all, `eachWrittenStatement` without what was
-/// made of a chart.
-void eachStatementOf(const BlockSyntax& block,
-                     const std::function<void(const Statement&, const Statements&, std::size_t)>& visit);
-void eachWrittenStatement(const BlockSyntax& block,
-                          const std::function<void(const Statement&, const Statements&, std::size_t)>& visit);
-/// Calls visit(statements) for the body of a block and for its actions, without what was made of a chart.
-void eachBody(const BlockSyntax& block, const std::function<void(const Statements&)>& visit);
-/// Whether a body is written in IL.
-bool isList(const Statements& body);
-/// Calls visit(expression) for every expression of a statement without those of the statements inside it.
-void eachExpression(const Statement& statement, const std::function<void(const Expr&)>& visit);
-/// The same for an expression and all its parts.
-void eachPart(const Expr& expr, const std::function<void(const Expr&)>& visit);
-/// Whether two expressions are written alike, spaces and case apart.
-bool isSame(const Expr& a, const Expr& b);
-/// Calls visit(block) for every block of the project's own that was read whole.
-void eachOwnBlock(const ProjectSyntax& project, const std::function<void(const BlockSyntax&)>& visit);
 
 }  // namespace rungproof::iec
