@@ -45,9 +45,9 @@ struct NetworkPicture {
 
 /// One program of the run.
 struct ProgramRecord {
-  std::string name;   ///< its first file
-  std::string title;  ///< of its main block, or empty
-  std::string cpu, edition;
+  std::string name;          ///< its first file
+  std::string title;         ///< of its main block, or empty
+  std::string cpu, edition;  ///< cpu: empty where the program is for none (IEC 61131-3)
   std::vector<FileRead> files;
   std::vector<OptionInForce> options;
   std::vector<ChoiceInForce> choices;

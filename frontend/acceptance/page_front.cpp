@@ -83,7 +83,8 @@ void PageWriter::section(std::string_view title) {
 }
 
 void PageWriter::program(const ProgramRecord& record) {
-  out_ << fmt::format("<dl class=\"facts\">\n<dt>CPU</dt><dd>{}, {}</dd>\n", xmlText(record.cpu),
+  const std::string cpu = record.cpu.empty() ? "" : fmt::format("{}, ", xmlText(record.cpu));
+  out_ << fmt::format("<dl class=\"facts\">\n<dt>{}</dt><dd>{}{}</dd>\n", cpu.empty() ? "Language" : "CPU", cpu,
                       xmlText(record.edition));
   for (const OptionInForce& option : record.options)
     out_ << fmt::format("<dt>{}</dt><dd>{} <span class=\"quiet\">({})</span></dd>\n", xmlText(option.name),

@@ -15,6 +15,7 @@
 #include "frontend/picture/timing_diagram.hpp"
 #include "frontend/simulation/witness_report.hpp"
 #include "frontend/trace_format.hpp"
+#include "ir/iec/cpu.hpp"
 
 namespace rungproof {
 
@@ -126,7 +127,7 @@ void addRecord(Report& report, const Settings& settings, const ProgramInput& inp
   ProgramRecord record;
   record.name = nameInProject(files.front(), settings.root());
   if (const Pou* main = program.main(); main != nullptr) record.title = main->title;
-  record.cpu = cpuName(program.target.cpu);
+  if (!isIec(program.target)) record.cpu = cpuName(program.target.cpu);
   record.edition = editionText(program.target.edition);
   record.files = filesOf(settings, program, propertyFiles);
   record.options = optionsOf(settings);

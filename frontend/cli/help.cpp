@@ -81,7 +81,7 @@ std::vector<TextRow> exitCodeRows() {
 
 std::string programHelp() {
   std::string text =
-      "rungproof - checks, runs and proves S7-200 and S7-300/400 programs\n\n"
+      "rungproof - checks, runs and proves programs of S7-200, S7-300/400 and IEC 61131-3\n\n"
       "Usage: rungproof COMMAND [OPTIONS] FILE...\n\nCommands:\n";
   std::vector<TextRow> rows;
   for (const Command* command : allCommands())

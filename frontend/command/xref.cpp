@@ -14,6 +14,7 @@
 #include "frontend/stl/missing_address.hpp"
 #include "frontend/text/columns.hpp"
 #include "frontend/text/excerpt.hpp"
+#include "ir/iec/cpu.hpp"
 
 namespace rungproof {
 
@@ -46,7 +47,7 @@ class XrefWriter {
       appendRows(text, rows, useColumn_);
       text += '\n';
     }
-    if (whole_) appendFree(text, paint);
+    if (whole_ && !isIec(facts_.target())) appendFree(text, paint);
     if (!tags_.empty()) appendTags(text, paint);
     if (text.ends_with("\n\n")) text.pop_back();
     return text;
@@ -124,8 +125,9 @@ class XrefWriter {
 
   void appendEntry(std::string& text, const XrefEntry& entry, const Paint& paint) const {
     const std::string symbol = symbolOf(entry);
-    text += paint.bold(entryName(entry));
-    if (!symbol.empty()) text += fmt::format("  {}", symbol);
+    const bool isVariable = isIec(facts_.target()) && !symbol.empty();  // where it lies is ours
+    text += paint.bold(isVariable ? symbol : entryName(entry));
+    if (!symbol.empty() && !isVariable) text += fmt::format("  {}", symbol);
     if (entry.area == Area::L) text += fmt::format("  in {}", facts_.program().pous[entry.block].name);
     text += '\n';
     std::vector<TextRow> rows;

@@ -72,7 +72,7 @@ std::string exitStatus() {
 std::string programPage() {
   std::string text = titleLine("rungproof");
   text +=
-      ".SH NAME\nrungproof \\- checks, runs and proves S7\\-200 and S7\\-300/400 programs\n"
+      ".SH NAME\nrungproof \\- checks, runs and proves programs of S7\\-200, S7\\-300/400 and IEC 61131\\-3\n"
       ".SH SYNOPSIS\n.B rungproof\n.I COMMAND\n[\\fIOPTIONS\\fR] \\fIFILE\\fR...\n"
       ".SH DESCRIPTION\nrungproof reads statement lists, ladder and FBD programs of Siemens controllers, reports what "
       "is "

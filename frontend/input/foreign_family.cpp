@@ -13,8 +13,8 @@ namespace rungproof {
 namespace {
 
 constexpr std::string_view exportIt = "export the program from its editor as text (.awl) or as PLCopen XML";
-constexpr std::string_view onlyS7200 =
-    "rungproof reads programs of the S7-200, S7-200 SMART, S7-300 and S7-400; others have to be ported first";
+constexpr std::string_view onlyOurs =
+    "rungproof reads programs of the S7-200, S7-200 SMART, S7-300 and S7-400, and IEC 61131-3 as text or PLCopen XML";
 constexpr std::size_t mostLines = 400;  ///< that are looked at
 
 struct Mark {
@@ -29,30 +29,30 @@ constexpr std::array<Mark, 6> containers = {{
     {"{\\rtf", {"an RTF document", "save it as plain text"}},
     {"\x7F"
      "ELF",
-     {"a program for computers", onlyS7200}},
-    {"MZ\x90", {"a program for computers", onlyS7200}},
+     {"a program for computers", onlyOurs}},
+    {"MZ\x90", {"a program for computers", onlyOurs}},
 }};
 
 constexpr std::array<Mark, 9> roots = {{
-    {"RSLogix5000Content", {"L5X of Rockwell Studio 5000", onlyS7200}},
-    {"TcPlcObject", {"a block of Beckhoff TwinCAT", onlyS7200}},
-    {"TcPlcProject", {"a project of Beckhoff TwinCAT", onlyS7200}},
-    {"FEFExchangeFile", {"an export of Schneider Control Expert (Unity Pro)", onlyS7200}},
-    {"LDExchangeFile", {"an export of Schneider Control Expert (Unity Pro)", onlyS7200}},
-    {"STExchangeFile", {"an export of Schneider Control Expert (Unity Pro)", onlyS7200}},
-    {"FBDExchangeFile", {"an export of Schneider Control Expert (Unity Pro)", onlyS7200}},
+    {"RSLogix5000Content", {"L5X of Rockwell Studio 5000", onlyOurs}},
+    {"TcPlcObject", {"a block of Beckhoff TwinCAT", onlyOurs}},
+    {"TcPlcProject", {"a project of Beckhoff TwinCAT", onlyOurs}},
+    {"FEFExchangeFile", {"an export of Schneider Control Expert (Unity Pro)", onlyOurs}},
+    {"LDExchangeFile", {"an export of Schneider Control Expert (Unity Pro)", onlyOurs}},
+    {"STExchangeFile", {"an export of Schneider Control Expert (Unity Pro)", onlyOurs}},
+    {"FBDExchangeFile", {"an export of Schneider Control Expert (Unity Pro)", onlyOurs}},
     {"html", {"a web page", exportIt}},
     {"!DOCTYPE html", {"a web page", exportIt}},
 }};
 
-constexpr ForeignFamily scl = {"SCL (structured text of an S7-300, S7-400, S7-1200 or S7-1500)", onlyS7200};
+constexpr ForeignFamily scl = {"SCL (structured text of an S7-300, S7-400, S7-1200 or S7-1500)", onlyOurs};
 constexpr ForeignFamily structuredText = {"structured text (IEC 61131-3)",
                                           "write the program as LD, FBD or IL in PLCopen XML, or as a statement list"};
 constexpr ForeignFamily step7List = {"STL of an S7-300 or S7-400", "read it with --dialect s7-300 or s7-400"};
-constexpr ForeignFamily logix = {"a program for Allen-Bradley controllers (XIC, OTE)", onlyS7200};
+constexpr ForeignFamily logix = {"a program for Allen-Bradley controllers (XIC, OTE)", onlyOurs};
 constexpr ForeignFamily melsec = {"an instruction list for Mitsubishi MELSEC (X and Y operands, K constants)",
-                                  onlyS7200};
-constexpr ForeignFamily omron = {"mnemonics of an Omron controller", onlyS7200};
+                                  onlyOurs};
+constexpr ForeignFamily omron = {"mnemonics of an Omron controller", onlyOurs};
 
 /// What stands in the lines of a text.
 struct Evidence {
