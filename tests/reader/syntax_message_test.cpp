@@ -79,9 +79,9 @@ TEST(SyntaxMessages, EveryMessageOccurs) {
                "FOO;\nL M 0.0;\nA \"name\";\nCALL FC 1;\nCALL FC 2;\nJC m;\nCALL SFC 43;\nCALL SFC 26 (PART := "
                "B#16#0);\nEND_FUNCTION\n"
                "DATA_BLOCK DB 9000\nSTRUCT\n a : INT ;\nEND_STRUCT ;\nBEGIN\n a 1 ;\nEND_DATA_BLOCK\n"));
-  collect(readText(
-      "x.st",
-      "PROGRAM m VAR a : INT; r : REAL; s, t : STRING; END_VAR\na = 1;\na := r;\nb := 1;\ns := t;\nEND_PROGRAM\n"));
+  collect(readText("x.st",
+                   "PROGRAM m VAR a : INT; r : REAL; s, t : STRING; END_VAR\na = 1;\na := r;\na : = 2;\nb := 1;\ns := "
+                   "t;\nEND_PROGRAM\n"));
   collect(readText("x.st", "TYPE t : INT; END_TYPE\nFUNCTION f : INT\nf := 1;\nEND_FUNCTION\n"));
   Program symbols;
   SyntaxSink sink(symbols, symbols.sources->add("x.asc", "126,Stop                   I       0.1 BOOL      \n"));
