@@ -109,6 +109,8 @@ void Lowering::guardDivisions(Scope& scope, const Expr& expr) {
   for (const Argument& argument : expr.arguments) {
     if (argument.value != nullptr && !argument.isOutput) guardDivisions(scope, *argument.value);
   }
+  if (const Argument* enable = enableOf(expr); enable != nullptr && divides(expr))
+    refuse(enable->span, "a division with EN in __TRY is not modelled", Syntax::IecNotModelled);
   if (expr.kind == ExprKind::Call && !isDivision(expr)) return guardCall(scope, expr);
   if (!isDivision(expr)) return;
   const bool isCall = expr.kind == ExprKind::Call;

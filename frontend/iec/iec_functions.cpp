@@ -86,6 +86,13 @@ bool isStandardFunction(const std::string& folded) {
   return standardFunctions().contains(folded) || conversionTarget(folded) != nullptr;
 }
 
+bool isPartialFunction(const std::string& folded) {
+  const auto found = standardFunctions().find(folded);
+  if (found == standardFunctions().end())
+    return folded.starts_with("REAL_") || folded.starts_with("TO_") || folded.starts_with("TRUNC");
+  return found->second.call == FunctionKind::RealFunction || found->second.call == FunctionKind::Mux;
+}
+
 bool isComparisonFunction(const std::string& folded) {
   const auto found = standardFunctions().find(folded);
   return found != standardFunctions().end() && found->second.call == FunctionKind::Compare;
@@ -170,46 +177,17 @@ const Type* Lowering::call(Scope& scope, const Expr& expr, const Type* wanted) {
   const std::string name = foldedName(expr.parts[0].name);
   if (expr.parts.size() != 1) refuse(expr.span, "methods are not modelled", Syntax::IecNotModelled);
   BlockInstance* own = functionNamed(name);
+  if (const Argument* enable = enableOf(expr); enable != nullptr && &expr != enabledCall_)
+    refuse(enable->span, "EN inside an expression, where it is not always TRUE, is not modelled: assign the result",
+           Syntax::IecNotModelled);
   for (const Argument& argument : expr.arguments) {
     const std::string pin = foldedName(argument.name);
-    const auto enable = pin == "EN" ? types_.constant(*argument.value) : std::nullopt;
-    if (pin == "EN" && !argument.isOutput && (!enable || enable->number != 1))
-      refuse(argument.span, "EN of a function that is not always TRUE is not modelled: use IF", Syntax::IecNotModelled);
     if (argument.isOutput && pin != "ENO" && own == nullptr)
       refuse(argument.span, fmt::format("{} has no output {} that can be read", name, excerpt(argument.name)));
   }
   const Type* type = own != nullptr ? ownFunction(scope, *own, expr) : standardCall(scope, name, expr, wanted);
   tellEnabled(scope, name, expr);
   return type;
-}
-
-/// ENO => x: TRUE, but for a division by 0. What other functions say of an error is not modelled.
-void Lowering::tellEnabled(Scope& scope, const std::string& name, const Expr& expr) {
-  for (const Argument& argument : expr.arguments) {
-    if (!argument.isOutput || foldedName(argument.name) != "ENO" || argument.value == nullptr) continue;
-    const auto row = standardFunctions().find(name);
-    const bool isStandard = functionNamed(name) == nullptr;
-    const bool isConversion = isStandard && row == standardFunctions().end() && name.starts_with("REAL");
-    const bool isPartial = isStandard && row != standardFunctions().end() &&
-                           (row->second.call == FunctionKind::RealFunction || row->second.call == FunctionKind::Mux);
-    if (isConversion || isPartial)
-      refuse(argument.span, fmt::format("ENO of {} is not modelled", name), Syntax::IecNotModelled);
-    const Reference target = reference(scope, *argument.value);
-    prepareWrite(scope, target);
-    const std::vector<const Expr*> values = plainArguments(expr, {"IN1", "IN2"});
-    const Type* type = isStandard && (name == "DIV" || name == "MOD") && values.size() == 2
-                           ? ownTypeOf(scope, values, expr.span)
-                           : nullptr;
-    if (type != nullptr && type->isNumber()) {
-      valueAs(scope, *values[1], *type);
-      constant(0, type->width);
-      emit("NE", {type->width, 0});
-      if (argument.isNegated) emit("NOT", {1});
-    } else {
-      constant(argument.isNegated ? 0 : 1, 1);
-    }
-    writeReference(scope, target);
-  }
 }
 
 /// All arguments are computed before the first is stored: one of them may call the same function.

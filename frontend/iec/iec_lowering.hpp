@@ -4,6 +4,7 @@
 // Tested by tests/iec.
 #pragma once
 
+#include <functional>
 #include <set>
 
 #include "frontend/iec/iec_types.hpp"
@@ -146,6 +147,12 @@ class Lowering {
   void readOutputs(Scope& scope, BlockInstance& instance, const Expr& call);
   void runBody(Scope& scope, BlockInstance& instance, Scope& inner, Span span);
 
+  // iec_enable.cpp
+  void tellEnabled(Scope& scope, const std::string& name, const Expr& expr);
+  void writeEnabled(Scope& scope, const Argument& argument, const std::function<void()>& push);
+  const Argument* enableOf(const Expr& expr);
+  void assignWhereEnabled(Scope& scope, const Reference& target, const Expr& call, const Argument& enable);
+
   // iec_faults.cpp
   void tryStatement(Scope& scope, const Statement& statement);
   void guardFaults(Scope& scope, const Statement& statement);
@@ -196,7 +203,6 @@ class Lowering {
   const Type* standardResult(Scope& scope, const std::string& name, const Expr& expr);
   const Type* standardCall(Scope& scope, const std::string& name, const Expr& expr, const Type* wanted);
   bool isStandard(const std::string& name) const;
-  void tellEnabled(Scope& scope, const std::string& name, const Expr& expr);
   const Type* ownFunction(Scope& scope, BlockInstance& function, const Expr& expr);
   const Type* conversion(Scope& scope, const std::string& name, const Expr& expr);
   void convert(const Type& from, const Type& to, bool cuts, Span span);
@@ -238,7 +244,8 @@ class Lowering {
   int nextRoutine_ = 0;
   int nextLabel_ = 0;
   int depth_ = 0;
-  bool asksEnabled_ = false;  ///< some path ends in .ENO
+  const Expr* enabledCall_ = nullptr;  ///< a call whose EN was asked already
+  bool asksEnabled_ = false;           ///< some path ends in .ENO
   Network* network_ = nullptr;
   Span span_;                            ///< of the statement at hand
   std::vector<std::uint8_t> isWritten_;  ///< by byte
@@ -247,6 +254,8 @@ class Lowering {
 
 /// Whether the standard has a function of that name, in capitals.
 bool isStandardFunction(const std::string& folded);
+/// Whether it has no result for some values: SQRT, MUX, conversions of REAL.
+bool isPartialFunction(const std::string& folded);
 /// Whether it is one whose result is a truth value: EQ, LT ...
 bool isComparisonFunction(const std::string& folded);
 /// Makes the program of everything that the files hold; the tree becomes Program::syntax.

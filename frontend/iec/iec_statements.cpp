@@ -82,6 +82,7 @@ void Lowering::assign(Scope& scope, const Statement& s) {
                                       ? std::optional(std::max(*target.owner->longestPreset, *preset))
                                       : std::nullopt;
   }
+  if (const Argument* enable = enableOf(*s.value)) return assignWhereEnabled(scope, target, *s.value, *enable);
   prepareWrite(scope, target);
   valueAs(scope, *s.value, target.bit ? *elementaryType("BOOL") : *target.type);
   writeReference(scope, target);
@@ -278,11 +279,8 @@ void Lowering::callInstance(Scope& scope, BlockInstance& instance, const Expr& c
       constant(isEnabled ? 1 : 0, 1);
       store(boolean, *instance.enabled);
     }
-    if (enabled == nullptr || enabled->value == nullptr) return;
-    const Reference target = reference(scope, *enabled->value);
-    prepareWrite(scope, target);
-    constant(isEnabled != enabled->isNegated ? 1 : 0, 1);
-    writeReference(scope, target);
+    if (enabled != nullptr && enabled->value != nullptr)
+      writeEnabled(scope, *enabled, [&] { constant(isEnabled ? 1 : 0, 1); });
   };
   const int skip = newLabel(), end = newLabel();
   if (enable != nullptr) {

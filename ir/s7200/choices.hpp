@@ -401,8 +401,8 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
     {Choice::IecEnFalseResult,
      "iec-en-false-result",
      {"kept", "zero", ""},
-     "IEC 61131-3: what the output of a comparison with EN gives in a drawing while EN is FALSE: what it gave last, or "
-     "FALSE; the standard forbids its use",
+     "IEC 61131-3: what takes the result of a function with EN while EN is FALSE: it keeps its value (in a drawing the "
+     "output of a comparison gives what it gave last), or gets 0",
      "IEC 61131-3",
      ChoiceKind::Fact},
     {Choice::IecSfcOrder,

@@ -20,7 +20,27 @@ TEST(IecEnable, FunctionsTellThatTheyHaveRun) {
   EXPECT_TRUE(output.has("PROVED  p") && output.has("PROVED  m")) << output.text;
 }
 
-// EN that may be FALSE, and outputs that a function does not have, are refused: nothing is dropped.
+// While EN is FALSE the target keeps its value (the spec's usual reading), or gets 0; ENO is FALSE then, and the
+// function's own statements do not run.
+TEST(IecEnable, FunctionsWithoutPowerFlow) {
+  const std::string text =
+      "FUNCTION Next : INT\nVAR_INPUT x : INT; END_VAR\nVAR_EXTERNAL runs : INT; END_VAR\nNext := x + 1;\n"
+      "runs := runs + 1;\nEND_FUNCTION\nCONFIGURATION c\nVAR_GLOBAL runs : INT; END_VAR\nRESOURCE r ON p\n"
+      "TASK t(INTERVAL := T#10ms, PRIORITY := 1);\nPROGRAM m WITH t : main;\nEND_RESOURCE\nEND_CONFIGURATION\n" +
+      iecProgram("VAR_INPUT e : BOOL; x : INT; END_VAR VAR y : INT; ok : BOOL; END_VAR",
+                 "y := Next(EN := e, x := x, ENO => ok);");
+  IecRun run(text);
+  EXPECT_EQ(run.follow("y", {{"e", {1, 0, 0, 1}}, {"x", {4, 8, 9, 20}}}), (Row{5, 5, 5, 21}));
+  EXPECT_EQ(run.get("runs"), 2);
+  const std::string asked =
+      "//@ prove ok: ok = e\n//@ prove kept: not e implies y = prev(y)\n//@ prove zero: not e implies y = 0\n";
+  const IecOutput kept = proofOfIec(asked + text);
+  EXPECT_TRUE(kept.has("PROVED  ok") && kept.has("PROVED  kept") && kept.has("VIOLATED  zero")) << kept.text;
+  const IecOutput zero = proofOfIec(asked + text, {"--choice", "iec-en-false-result=zero"});
+  EXPECT_TRUE(zero.has("PROVED  ok") && zero.has("VIOLATED  kept") && zero.has("PROVED  zero")) << zero.text;
+}
+
+// EN that may be FALSE in an expression, and outputs that a function does not have, are refused: nothing is dropped.
 TEST(IecEnable, WhatIsNotModelledIsRefused) {
   const auto refused = [](const std::string& call, const std::string& message) {
     const IecOutput output = proofOfIec(
@@ -29,7 +49,8 @@ TEST(IecEnable, WhatIsNotModelledIsRefused) {
                                               call + "\nq := m > 3;"));
     EXPECT_TRUE(output.has(message) && !output.has("PROVED")) << output.text;
   };
-  refused("m := ADD(EN := a, IN1 := n, IN2 := 1);", "EN of a function that is not always TRUE");
+  refused("m := 1 + ADD(EN := a, IN1 := n, IN2 := 1);", "EN inside an expression");
+  refused("m := ADD(EN := a, IN1 := n, IN2 := 1, ENO => n);", "ENO needs a BOOL variable");
   refused("m := ADD(IN1 := n, IN2 := 1, OUT => m);", "no output OUT");
   refused("x := SQRT(IN := x, ENO => e);\nm := REAL_TO_INT(x);", "ENO of SQRT is not modelled");
 }
