@@ -65,6 +65,12 @@ bool liesIn(Span outer, Span span) {
          span.offset + span.length <= outer.offset + outer.length;
 }
 
+/// Statement lists in a text do, drawings and XML do not: their elements stand anywhere in the file.
+bool holdsItsInstructions(const Network& network) {
+  return network.form == Form::Stl &&
+         (network.instructions.empty() || liesIn(network.span, network.instructions.front().span));
+}
+
 /// Whether blocks and networks stand in the text in the order of the program, as in statement lists.
 bool isInOrder(const Program& program) {
   const Span* block = nullptr;
@@ -73,7 +79,7 @@ bool isInOrder(const Program& program) {
     block = &pou.span;
     const Span* before = nullptr;
     for (const Network& network : pou.networks) {
-      if (network.form != Form::Stl || !liesIn(pou.span, network.span)) return false;
+      if (!holdsItsInstructions(network) || !liesIn(pou.span, network.span)) return false;
       if (before != nullptr && !comesAfter(*before, network.span)) return false;
       before = &network.span;
     }
@@ -126,8 +132,7 @@ void PlaceIndex::listNetworks(const Program& program) {
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
       networks_.push_back({network.span, {&pou, &network}});
-      if (network.form == Form::Stl) continue;
-      // Elements of several drawn networks stand mixed in one file.
+      if (holdsItsInstructions(network)) continue;
       for (const Instruction& instruction : network.instructions)
         networks_.push_back({instruction.span, {&pou, &network}});
     }

@@ -9,6 +9,7 @@
 
 #include "analysis/flow/block_actuals.hpp"
 #include "ir/s7300/block.hpp"
+#include "ir/s7300/declarations.hpp"
 #include "ir/s7300/library_contract.hpp"
 
 namespace rungproof {
@@ -107,7 +108,10 @@ std::vector<ExternalRange> externalsOfCalls(const Facts& facts) {
   return ranges;
 }
 
-bool assumesOfCalls(const Program& program) { return restsOnContracts(program) || givesBlockActuals(program); }
+bool assumesOfCalls(const Program& program) {
+  const bool lacksInstance = program.declarations != nullptr && !program.declarations->absentInstances.empty();
+  return lacksInstance || restsOnContracts(program) || givesBlockActuals(program);
+}
 
 std::vector<std::string> assumptionsOfCalls(const Facts& facts) {
   std::vector<std::string> texts;
@@ -136,6 +140,8 @@ std::vector<std::string> assumptionsOfCalls(const Facts& facts) {
   }
   std::ranges::for_each(assumptionsOfActuals(facts), say);
   if (!isStep7(facts.target())) return texts;
+  for (const std::string& name : facts.program().declarations->absentInstances)
+    say(fmt::format("the instance \"{}\", which no file holds, begins with the start values of its block", name));
   const std::vector<bool> mayRun = blocksThatMayRun(facts);
   for (std::size_t block = 0; block < facts.program().pous.size(); ++block) {
     const Pou& pou = facts.program().pous[block];

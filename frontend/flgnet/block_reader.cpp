@@ -9,6 +9,8 @@
 #include "frontend/flgnet/circuit_reader.hpp"
 #include "frontend/flgnet/circuit_statements.hpp"
 #include "frontend/flgnet/fragment.hpp"
+#include "frontend/flgnet/part_table.hpp"
+#include "frontend/flgnet/statement_list.hpp"
 #include "frontend/step7/cursor.hpp"
 #include "frontend/stl/directive.hpp"
 #include "frontend/stl/stl_lexer.hpp"
@@ -293,15 +295,43 @@ class BlockReader {
     for (const pugi::xml_node& child : childNamed(node, "ObjectList").children()) {
       if (localName(child) == "MultilingualText") textOf(child, network.title, block.directives, network.number);
     }
+    const std::string_view language = childNamed(list, "ProgrammingLanguage").child_value();
     if (const pugi::xml_node net = childNamed(source, "FlgNet")) {
+      network.form = language.ends_with("FBD") ? Form::Fbd : Form::Ladder;
       const std::optional<Circuit> circuit = readCircuit(xml_, *part_, net, sink_);
+      if (circuit) noteInstances(*circuit, block);
       if (!circuit || !writeStatements(*circuit, labels, sink_, network)) network.isUnread = true;
+    } else if (const pugi::xml_node statements = childNamed(source, "StatementList")) {
+      const int number = network.number;
+      readStatementList(xml_, *part_, statements, sink_, network, [&](const pugi::xml_node& said) {
+        forEachBelow(said, [&](const pugi::xml_node& characters) {
+          if (characters.type() == pugi::node_pcdata) text(span(characters), block.directives, number);
+        });
+      });
+      for (const step7::Statement& statement : network.statements) noteInstance(statement);
     } else if (source.first_child()) {
       sink_.report(Syntax::BodyNotCovered, network.span,
-                   fmt::format("the network is written in {}, which is not covered",
-                               excerpt(childNamed(list, "ProgrammingLanguage").child_value())));
+                   fmt::format("the network is written in {}, which is not covered", excerpt(language)));
       network.isUnread = true;
     }
+  }
+
+  /// What the instances of calls are instances of: exports hold few of the data blocks, and IEC_TIMER alone does not
+  /// say which timer it is of.
+  void noteInstances(const Circuit& circuit, BlockSyntax& block) {
+    for (const Part& part : circuit.parts) {
+      const std::optional<Operand> of = operandFrom(iecBlock(part.name), part.span);
+      const std::optional<step7::BlockName> callee = part.callee ? part.callee : of ? of->block : std::nullopt;
+      if (!callee) continue;
+      if (part.instance.form == step7::OperandForm::Symbol)
+        result_.instances.push_back({*callee, part.instance, part.span});
+      else if (part.instance.form == step7::OperandForm::Local)
+        step7::settleGeneric(block.declarations, part.instance.path, *callee);
+    }
+  }
+  void noteInstance(const step7::Statement& call) {
+    if (call.instance.form == step7::OperandForm::Symbol && call.operand.form == step7::OperandForm::Symbol)
+      result_.instances.push_back({{std::nullopt, 0, call.operand.name, call.operand.span}, call.instance, call.span});
   }
 
   /// A title, or a comment that may speak to the tool.

@@ -4,11 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 
+#include "frontend/flgnet/access_reader.hpp"
 #include "frontend/flgnet/circuit_pins.hpp"
-#include "frontend/flgnet/fragment.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 #include "frontend/xml/xml_shape.hpp"
 
@@ -42,41 +41,6 @@ constexpr XmlShape circuitShapes[] = {
     {"NameCon", "UId Name", ""},
     {"OpenCon", "UId", ""},
 };
-
-std::optional<std::uint32_t> numberIn(std::string_view text) {
-  std::uint32_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && !text.empty() && end == text.data() + text.size() ? std::optional(value)
-                                                                                   : std::nullopt;
-}
-
-/// <Address Area="DB" BlockNumber="10" Type="Int" BitOffset="16"/> is DB10.DBW2.
-std::string textOfAddress(const pugi::xml_node& node) {
-  struct Letters {
-    std::string_view area, letters;
-  };
-  static constexpr Letters areas[] = {{"Input", "I"},           {"Output", "Q"},           {"Memory", "M"},
-                                      {"PeripheryInput", "PI"}, {"PeripheryOutput", "PQ"}, {"DB", "DB"},
-                                      {"Timer", "T"},           {"Counter", "C"}};
-  const std::string_view area = node.attribute("Area").value(), type = node.attribute("Type").value();
-  const auto row = std::ranges::find(areas, area, &Letters::area);
-  const std::optional<std::uint32_t> bit = numberIn(node.attribute("BitOffset").value());
-  if (row == std::end(areas) || !bit) return "";
-  if (row->letters == "T" || row->letters == "C") return fmt::format("{}{}", row->letters, *bit);
-  std::string text(row->letters);
-  if (row->letters == "DB") {
-    const std::optional<std::uint32_t> block = numberIn(node.attribute("BlockNumber").value());
-    if (!block) return "";
-    text = fmt::format("DB{}.DB", *block);
-  }
-  if (type == "Bool") return fmt::format("{}{}{}.{}", text, row->letters == "DB" ? "X" : "", *bit / 8, *bit % 8);
-  const char width = type == "Byte" || type == "Char"                                        ? 'B'
-                     : type == "Word" || type == "Int" || type == "S5Time" || type == "Date" ? 'W'
-                     : type == "DWord" || type == "DInt" || type == "Real" || type == "Time" || type == "Time_Of_Day"
-                         ? 'D'
-                         : '\0';
-  return width == '\0' || *bit % 8 != 0 ? "" : fmt::format("{}{}{}", text, width, *bit / 8);
-}
 
 class CircuitReader {
  public:
@@ -123,32 +87,7 @@ class CircuitReader {
   }
 
   std::optional<Operand> access(const pugi::xml_node& node) {
-    const std::string_view scope = node.attribute("Scope").value();
-    const Span span = xml_.span(part_, node);
-    std::optional<Operand> operand;
-    if (scope == "Label") {
-      operand.emplace();
-      operand->form = step7::OperandForm::Word;
-      operand->name = childNamed(node, "Label").attribute("Name").value();
-      operand->span = span;
-    } else if (scope == "Address") {
-      operand = operandFrom(textOfAddress(childNamed(node, "Address")), span);
-    } else if (const pugi::xml_node constant = childNamed(node, "Constant"); scope == "LocalConstant") {
-      operand.emplace();
-      operand->form = step7::OperandForm::Local;
-      operand->path.push_back({constant.attribute("Name").value(), {}, span});
-      operand->span = span;
-    } else if (scope == "GlobalConstant" && constant) {
-      operand.emplace();
-      operand->form = step7::OperandForm::Symbol;
-      operand->name = constant.attribute("Name").value();
-      operand->span = span;
-    } else if (constant) {
-      operand = constantFrom(trimmed(childNamed(constant, "ConstantType").child_value()),
-                             trimmed(childNamed(constant, "ConstantValue").child_value()), span);
-    } else if (const pugi::xml_node symbol = childNamed(node, "Symbol")) {
-      operand = symbolFrom(symbol, scope == "LocalVariable", span);
-    }
+    std::optional<Operand> operand = accessFrom(node, xml_.span(part_, node));
     if (!operand) fault(node, "the operand cannot be read");
     return operand;
   }
@@ -165,11 +104,7 @@ class CircuitReader {
   }
 
   void setInstance(const pugi::xml_node& instance, Part& result) {
-    const bool isLocal = std::string_view(instance.attribute("Scope").value()) == "LocalVariable";
-    const pugi::xml_node address = childNamed(instance, "Address");
-    const Span span = xml_.span(part_, instance);
-    if (std::optional<Operand> operand =
-            address ? operandFrom(textOfAddress(address), span) : symbolFrom(instance, isLocal, span))
+    if (std::optional<Operand> operand = instanceFrom(instance, xml_.span(part_, instance)))
       result.instance = std::move(*operand);
     else
       fault(instance, "the instance cannot be read");
@@ -288,37 +223,6 @@ const Output* Part::output(std::string_view pin) const {
   return found == outputs.end() ? nullptr : &*found;
 }
 bool Part::isNegated(std::string_view pin) const { return std::ranges::find(negated, pin) != negated.end(); }
-
-std::optional<Operand> symbolFrom(const pugi::xml_node& components, bool isLocal, Span span) {
-  std::vector<step7::PathStep> path;
-  for (const pugi::xml_node& node : components.children()) {
-    if (localName(node) != "Component") continue;
-    step7::PathStep step;
-    step.name = node.attribute("Name").value();
-    step.span = span;
-    for (const pugi::xml_node& index : node.children()) {
-      if (localName(index) != "Access") continue;
-      const std::optional<std::uint32_t> number =
-          numberIn(trimmed(childNamed(childNamed(index, "Constant"), "ConstantValue").child_value()));
-      if (!number) return std::nullopt;
-      step.indices.push_back(*number);
-    }
-    path.push_back(std::move(step));
-  }
-  if (path.empty() || path.front().name.empty()) return std::nullopt;
-  Operand operand;
-  operand.span = span;
-  if (isLocal) {
-    operand.form = step7::OperandForm::Local;
-    operand.path = std::move(path);
-    return operand;
-  }
-  if (!path.front().indices.empty()) return std::nullopt;
-  operand.form = step7::OperandForm::Symbol;
-  operand.name = path.front().name;
-  operand.path.assign(path.begin() + 1, path.end());
-  return operand;
-}
 
 std::optional<Circuit> readCircuit(const XmlText& xml, const XmlText::Part& part, const pugi::xml_node& net,
                                    SyntaxSink& sink) {

@@ -14,8 +14,4 @@ namespace rungproof::flgnet {
 std::optional<Circuit> readCircuit(const XmlText& xml, const XmlText::Part& part, const pugi::xml_node& net,
                                    SyntaxSink& sink);
 
-/// The operand that an <Access> or <Instance> names by its components: "Motor".list[2], #inst.x; nothing if it cannot
-/// be read.
-std::optional<Operand> symbolFrom(const pugi::xml_node& components, bool isLocal, Span span);
-
 }  // namespace rungproof::flgnet

@@ -42,8 +42,6 @@ class DrawnBuild {
   std::optional<Operand> temporary(IecType type);
   /// Whether some drawing names an output of an instance, "T1.ET", directly or through a path.
   bool isMentioned(std::string_view instance, std::string_view output) const;
-  /// Whether drawings mean what SIMATIC says of them, not IEC 61131-3.
-  bool isSimatic() const { return project_.isSimatic; }
   /// A jump label of the block that is being built.
   int newLabel() { return nextLabel_++; }
 

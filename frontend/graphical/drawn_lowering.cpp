@@ -45,15 +45,14 @@ Wire DrawnLowering::box(std::string_view mnemonic, Operands operands, Wire enabl
 }
 
 /// The memory of an edge starts with 0, so there may be one in the first scan, in which EU and ED see none (001:2763):
-/// R_TRIG and P with 1; F_TRIG, which keeps the negated value, with 0. N of SIMATIC keeps the value and has none.
+/// R_TRIG and P with 1; F_TRIG and N, which keep the negated value, with 0.
 Wire DrawnLowering::edge(Wire input, DrawnEdge kind) {
   if (kind == DrawnEdge::None) return input;
   const Wire now = throughMemory(kind == DrawnEdge::Rising ? input : inverted(input));
   const Operand last = temporary(IecType::Bool);
-  const bool keepsValue = kind == DrawnEdge::Falling && build_.isSimatic();
   const Wire before = contact(last, rail());
-  const Wire found = throughMemory(gate(Shape::And, {now, keepsValue ? before : inverted(before)}));
-  assign(last, keepsValue ? inverted(now) : now);
+  const Wire found = throughMemory(gate(Shape::And, {now, inverted(before)}));
+  assign(last, now);
   return found;
 }
 

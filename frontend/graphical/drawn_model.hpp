@@ -1,7 +1,7 @@
 // What the readers of graphical files hand over: blocks, declarations and networks of elements with pins, still in
 // the words of IEC 61131-3 and without memory or instructions. frontend/graphical turns it into a program once all
 // files are read, because one export may call blocks of another. Nothing here knows XML. Tested by
-// tests/graphical/plcopen_test.cpp and tests/graphical/simatic_test.cpp.
+// tests/graphical/plcopen_test.cpp.
 #pragma once
 
 #include <optional>
@@ -89,11 +89,9 @@ struct DrawnNote {
 };
 
 struct DrawnNetwork {
-  int number = 0;
   std::vector<DrawnNote> notes;
   std::vector<DrawnElement> elements;
   Span span;
-  bool isWhole = false;  ///< the format itself says that this is one network; otherwise circuits are separated
   bool isDamaged = false;
 };
 
@@ -145,7 +143,6 @@ struct DrawnProject {
   std::vector<std::string> globalLists;  ///< names of lists: "GVL" in GVL.Speed
   std::vector<DrawnInstance> instances;
   std::vector<Directive> directives;
-  bool isSimatic = false;  ///< SimaticML
 
   bool isEmpty() const { return blocks.empty() && globals.empty(); }
 };

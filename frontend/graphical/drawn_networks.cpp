@@ -56,7 +56,7 @@ std::vector<std::vector<std::uint32_t>> DrawnLowering::pieces() const {
 void DrawnLowering::appendNetwork(std::vector<std::uint32_t> members, Form form, int circuit) {
   place_.resize(drawing_.elements.size(), 0);
   Network network;
-  network.number = network_->isWhole ? network_->number : nextNumber_++;
+  network.number = nextNumber_++;
   network.form = form;
   network.span = network_->span;
   network.complete =
@@ -105,13 +105,13 @@ void DrawnLowering::reportIdle() {
 
 void DrawnLowering::body(const DrawnNetwork& network, Form form) {
   network_ = &network;
-  sink_.setNetwork(network.isWhole ? network.number : nextNumber_);
+  sink_.setNetwork(nextNumber_);
   DrawnCircuit circuit(network, sink_,
                        [&](const DrawnElement& element) { return DrawnBlocks::hasMemory(build_, element); });
   circuit_ = &circuit;
   begin();
   for (const int i : circuit.results()) {
-    sink_.setNetwork(network.isWhole ? network.number : nextNumber_);
+    sink_.setNetwork(nextNumber_);
     result(i);
     if (sink_.isDamaged()) damaged_[static_cast<std::size_t>(circuit.circuitOf(i))] = true;
   }
@@ -152,7 +152,7 @@ std::vector<int> DrawnLowering::appendNetworks(Form form) {
     appendNetwork(std::move(piece), form, circuit);
   }
   appendMissing(circuit_->results().size() + 1);
-  if (circuits.empty() && (network_->isDamaged || network_->isWhole)) {
+  if (circuits.empty() && network_->isDamaged) {
     circuits.push_back(DrawnCircuit::nothing);
     appendNetwork({}, form, DrawnCircuit::nothing);
   }
@@ -164,7 +164,7 @@ void DrawnLowering::finish(Form form) {
   const std::vector<int> circuits = appendNetworks(form);
   for (const DrawnSink::Pending& pending : sink_.takePending()) {
     const auto index = pending.element - network_->elements.data();
-    if (network_->isWhole || index < 0 || index >= circuit_->count()) continue;
+    if (index < 0 || index >= circuit_->count()) continue;
     const auto found = std::find(circuits.begin(), circuits.end(), circuit_->circuitOf(static_cast<int>(index)));
     Finding& finding = build_.program().findings[pending.finding];
     finding.network = found == circuits.end()
@@ -184,7 +184,7 @@ void DrawnLowering::finish(Form form) {
   for (const DrawnNote& note : network_->notes) {
     std::size_t chosen = circuits.size();
     for (std::size_t k = 0; k < circuits.size(); ++k) {
-      if (circuits[k] == DrawnCircuit::nothing || network_->isWhole) {
+      if (circuits[k] == DrawnCircuit::nothing) {
         chosen = 0;
         break;
       }

@@ -559,7 +559,7 @@ void DrawnBuild::buildPrograms() {
       main->networks.insert(main->networks.begin(), std::move(network));
     }
   }
-  if (!project_.isSimatic) freeGlobals();
+  freeGlobals();
   for (Directive& directive : project_.directives) program_.directives.push_back(std::move(directive));
 }
 

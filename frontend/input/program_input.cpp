@@ -11,7 +11,6 @@
 #include "analysis/drawing/editor_verdict.hpp"
 #include "analysis/rule.hpp"
 #include "frontend/files/file_reader.hpp"
-#include "ir/iec/syntax.hpp"
 #include "frontend/input/tag_list.hpp"
 #include "frontend/property/external_range.hpp"
 #include "frontend/step7/name_lookup.hpp"
@@ -21,6 +20,7 @@
 #include "frontend/stl/operand_reader.hpp"
 #include "frontend/stl/stl_likeness.hpp"
 #include "frontend/stl/syntax_sink.hpp"
+#include "ir/iec/syntax.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/organization_block.hpp"
 
@@ -80,19 +80,6 @@ void guessFamily(const Context& context, std::initializer_list<std::pair<const S
 
 namespace {
 
-/// SimaticML names no family, and TIA Portal has no S7-200: that its blocks are read as those of one is said.
-void sayFamilyOfSimatic(const Context& context, const Settings& settings, const Program& program) {
-  if (settings.text(Opt::Dialect) != "auto" || settings.flag(Opt::Quiet)) return;
-  for (std::uint32_t file = 0; file < program.sources->size(); ++file) {
-    if (program.sources->file(file).text().find("<SW.Blocks.") == std::string_view::npos) continue;
-    context.err << fmt::format(
-        "rungproof: {} is SimaticML, which names no family: it is read as for an S7-200, CPU {}; give --dialect s7-300 "
-        "for an S7-300 or S7-400\n",
-        program.sources->file(file).name(), cpuName(program.target.cpu));
-    return;
-  }
-}
-
 /// Without --cpu, a program with instructions that only the S7-200 SMART has is taken for its largest CPU. A CPU of
 /// another family than the program's is none for it.
 void guessCpu(const Context& context, const Settings& settings, Program& program) {
@@ -105,7 +92,6 @@ void guessCpu(const Context& context, const Settings& settings, Program& program
     return;
   }
   if (isStep7(program.target)) return guessFamily(context, {{&settings, &program}});
-  sayFamilyOfSimatic(context, settings, program);
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) {

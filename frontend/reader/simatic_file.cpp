@@ -1,48 +1,48 @@
-// Reader of SimaticML.
+// Reader of SimaticML, the XML of TIA Portal (Openness). The portal has no S7-200: its programs are read as for an
+// S7-300/400, whatever controller they were exported for.
 #include <algorithm>
 #include <iterator>
 
 #include "frontend/files/file_reader.hpp"
 #include "frontend/flgnet/block_reader.hpp"
-#include "frontend/simatic/simatic_reader.hpp"
 #include "frontend/step7/step7_project.hpp"
 #include "frontend/stl/syntax_sink.hpp"
-#include "ir/s7200/dialect.hpp"
+#include "frontend/xml/xml_text.hpp"
+#include "ir/s7300/dialect.hpp"
 
 namespace rungproof {
 
 namespace {
 
-bool holdsTagsOnly(const SourceFile& file) {
-  return file.text().find("<SW.Blocks.") == std::string_view::npos &&
-         file.text().find("<SW.Types.") == std::string_view::npos;
+bool holds(const SourceFile& file, std::string_view element) {
+  return file.text().find(element) != std::string_view::npos;
 }
+bool holdsTagsOnly(const SourceFile& file) { return !holds(file, "<SW.Blocks.") && !holds(file, "<SW.Types."); }
 
 int rate(const SourceFile& file, const InputText& input, const ReadOptions&) {
-  if (!looksLikeXml(file.text())) return sureness::None;
-  const std::string_view text = file.text();
-  if (holdsTagsOnly(file) && text.find("<SW.Tags.") == std::string_view::npos) return sureness::None;
+  if (!looksLikeXml(file.text()) || (holdsTagsOnly(file) && !holds(file, "<SW.Tags."))) return sureness::None;
   return input.isSymbolFile ? sureness::Certain + 1 : sureness::Certain;
 }
 
-/// What parts and types mean depends on the family.
 void read(Program& program, const InputText& input, const ReadOptions& options) {
   const SourceFile& file = program.sources->file(input.file);
-  const bool isForStep7 = input.isStep7Project || !options.allows(s7200Dialect);
-  if (!isForStep7 || holdsTagsOnly(file)) return readSimatic(program, input, *input.drawn);
   SyntaxSink sink(program, input.file);
-  flgnet::DrawnSource drawn = flgnet::readBlocks(file, sink);
+  if (!options.allows(s7300Dialect) && !options.allows(s7400Dialect)) {
+    return sink.report(Syntax::FamilyUndecided, {input.file, 0, 0},
+                       "SimaticML is an export of TIA Portal, which has no programs of that dialect");
+  }
   step7::Step7Project& project = *input.step7;
-  project.drawn.push_back(std::move(drawn.source));
-  std::ranges::move(drawn.symbols, std::back_inserter(project.drawnSymbols));
-  if (file.text().find("<SW.Tags.") != std::string_view::npos) project.tables.push_back({input.file, input.encoding});
+  if (!holdsTagsOnly(file)) {
+    flgnet::DrawnSource drawn = flgnet::readBlocks(file, sink);
+    project.drawn.push_back(std::move(drawn.source));
+    std::ranges::move(drawn.symbols, std::back_inserter(project.drawnSymbols));
+    std::ranges::move(drawn.instances, std::back_inserter(project.drawnInstances));
+  }
+  if (holds(file, "<SW.Tags.")) project.tables.push_back({input.file, input.encoding});
 }
-
-/// Its family is that of the sources beside it.
-bool isToldByOthers(const SourceFile&) { return true; }
 
 }  // namespace
 
-extern const FileReader simatic_file{"SimaticML", &rate, &read, &isToldByOthers};
+extern const FileReader simatic_file{"SimaticML", &rate, &read};
 
 }  // namespace rungproof

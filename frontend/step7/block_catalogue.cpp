@@ -20,6 +20,19 @@ bool isSameAddress(const Operand& a, const Operand& b) {
   return a.place == b.place && a.size == b.size && a.number == b.number && a.bit == b.bit;
 }
 
+/// TIA Portal calls the data of IEC timers and counters TON_TIME and CTU_INT, after the block and its width. An
+/// S7-300/400 has no other widths.
+std::string_view blockOfData(std::string_view type) {
+  for (const std::string_view block : {"TP", "TON", "TOF", "CTU", "CTD", "CTUD"}) {
+    const std::string_view width = block.starts_with('T') ? "_TIME" : "_INT";
+    const bool isData = type.size() == block.size() + width.size() &&
+                        s7300::isSameName(type.substr(0, block.size()), block) &&
+                        s7300::isSameName(type.substr(block.size()), width);
+    if (isData) return block;
+  }
+  return type;
+}
+
 }  // namespace
 
 std::string toString(BlockKey key) { return fmt::format("{}{}", blockKindName(key.kind), key.number); }
@@ -194,7 +207,7 @@ std::optional<BlockKey> BlockCatalogue::keyOf(const BlockName& name) const {
     return BlockKey{*row->address.block->kind, row->address.block->number};
   }
   if (const auto named = byName_.find(foldedName(name.symbol)); named != byName_.end()) return named->second;
-  if (const s7300::LibraryBlock* block = s7300::libraryBlockNamed(name.symbol)) {
+  if (const s7300::LibraryBlock* block = s7300::libraryBlockNamed(blockOfData(name.symbol))) {
     const BlockKind kind = block->type == BlockType::Sfb   ? BlockKind::Sfb
                            : block->type == BlockType::Sfc ? BlockKind::Sfc
                                                            : BlockKind::Fc;

@@ -115,9 +115,10 @@ class ProjectBuilder {
   void build(const Step7Project& project) {
     chooseTarget();
     readFiles(project);
+    declarations_ = std::make_shared<s7300::Declarations>();
+    declarations_->absentInstances = settleInstances(sources_, symbols_, project.drawnInstances);
     catalogue_.emplace(sources_, symbols_, reports_);
     types_.emplace(*catalogue_, reports_);
-    declarations_ = std::make_shared<s7300::Declarations>();
     addSymbols();
     for (const CatalogueEntry& entry : catalogue_->entries()) {
       if (entry.key.kind == BlockKind::Udt) types_->structure(entry.key);
@@ -291,6 +292,7 @@ class ProjectBuilder {
       network.number = each.number;
       network.title = each.title;
       network.span = each.span;
+      network.form = each.form;
       for (const Remark& remark : each.remarks) network.comments.push_back({remark.span});
       statements.bind(each, set, scope, network);
       if (each.isUnread) network.mayWrite.reset();

@@ -6,6 +6,7 @@
 
 #include "frontend/files/file_reader.hpp"
 #include "frontend/step7/constant_parser.hpp"
+#include "frontend/step7/drawn_instances.hpp"
 #include "frontend/step7/syntax.hpp"
 
 namespace rungproof::step7 {
@@ -19,8 +20,9 @@ struct PendingFile {
 struct Step7Project {
   std::vector<PendingFile> sources;
   std::vector<PendingFile> tables;
-  std::vector<SourceSyntax> drawn;      ///< what drawings say, as sources (frontend/flgnet)
-  std::vector<SymbolRow> drawnSymbols;  ///< names of their blocks
+  std::vector<SourceSyntax> drawn;            ///< what drawings say, as sources (frontend/flgnet)
+  std::vector<SymbolRow> drawnSymbols;        ///< names of their blocks
+  std::vector<DrawnInstance> drawnInstances;  ///< data blocks that their calls name
 
   bool hasBlocks() const { return !sources.empty() || !drawn.empty(); }
 };

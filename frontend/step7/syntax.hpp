@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "ir/program.hpp"
 #include "ir/s7300/declaration.hpp"
 #include "ir/source.hpp"
 
@@ -102,6 +103,7 @@ struct NetworkSyntax {
   std::vector<Remark> remarks;
   std::vector<Statement> statements;
   Span span;
+  Form form = Form::Stl;
   bool isUnread = false;  ///< some of it is not among the statements, and has a finding
 };
 

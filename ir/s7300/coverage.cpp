@@ -24,7 +24,8 @@ constexpr auto gapTable = std::to_array<GapRow>({
     {Gap::MissingBlock, "blocks that no file defines", "it is in no file"},
     {Gap::ProtectedBlock, "protected blocks", "its statements are in no file"},
     {Gap::HighDataBlock, "data blocks above DB8191", "its number is too high"},
-    {Gap::Drawing, "networks of SimaticML with parts that are not known or in other languages than ladder and FBD",
+    {Gap::Drawing,
+     "networks of SimaticML with parts that are not known, and in other languages than ladder, FBD and STL",
      "the network is not read"},
 });
 

@@ -35,6 +35,8 @@ struct Declarations {
   /// Data blocks of which no file tells what stands where, by number, each with the place of the finding that says so.
   std::map<std::uint32_t, Span> openBlocks;
   std::vector<OpenValue> openValues;
+  /// Data blocks that calls name as their instance and no file holds: taken with the start values of the called block.
+  std::vector<std::string> absentInstances;
   /// Findings that leave open no more than that and the networks that are not complete: file and first byte.
   std::set<std::pair<std::uint32_t, std::uint32_t>> bounded;
 

@@ -1,5 +1,4 @@
-// What is said where a program does not name its family and one is taken: SimaticML is read as for an S7-200, which TIA
-// Portal does not have.
+// Which family SimaticML is read for: TIA Portal has no S7-200.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -11,25 +10,22 @@ namespace {
 
 const std::string drawnMotor = std::string(RUNGPROOF_SOURCE_DIR) + "/corpus/simaticml/motor.xml";
 
-TEST(FamilyNote, SaysHowSimaticMlIsRead) {
-  const ProgramRun taken = run({"lint", "--isolated", drawnMotor});
-  EXPECT_NE(taken.err.find("motor.xml is SimaticML, which names no family: it is read as for an S7-200"),
-            std::string::npos)
-      << taken.err;
-  EXPECT_NE(taken.err.find("--dialect s7-300"), std::string::npos) << taken.err;
-  EXPECT_EQ(taken.err.find('\n'), taken.err.size() - 1) << "one line: " << taken.err;
+TEST(FamilyNote, SimaticMlIsOfAnS7300) {
+  const ProgramRun taken = run({"prove", "--isolated", drawnMotor});
+  EXPECT_EQ(taken.exit, 0) << taken.out;
+  EXPECT_NE(taken.out.find("assumes: CPU 319-3"), std::string::npos) << taken.out;
+  EXPECT_EQ(taken.err, "");
 }
 
-TEST(FamilyNote, IsSilentWhereTheFamilyIsGiven) {
-  for (const std::vector<std::string>& given :
-       {std::vector<std::string>{"--quiet"}, {"--cpu", "226"}, {"--dialect", "s7-200"}}) {
-    std::vector<std::string> arguments = {"lint", "--isolated", drawnMotor};
-    arguments.insert(arguments.end(), given.begin(), given.end());
-    const ProgramRun silent = run(arguments);
-    EXPECT_NE(silent.exit, 2) << given[0] << silent.err;
-    EXPECT_EQ(silent.err.find("names no family"), std::string::npos) << given[0];
+TEST(FamilyNote, SimaticMlIsNoProgramOfAnotherFamily) {
+  for (const std::string dialect : {"s7-200", "iec"}) {
+    const ProgramRun refused = run({"prove", "--isolated", drawnMotor, "--dialect", dialect});
+    EXPECT_EQ(refused.exit, 2) << dialect << refused.out;
+    EXPECT_NE(refused.out.find("error[SYN050]: SimaticML is an export of TIA Portal, which has no programs of that "
+                               "dialect"),
+              std::string::npos)
+        << dialect << refused.out;
   }
-  EXPECT_EQ(run({"lint", "--isolated", std::string(RUNGPROOF_SOURCE_DIR) + "/corpus/iec/batch.st"}).err, "");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "program_run.hpp"
+#include "tests/step7/flgnet_text.hpp"
 #include "tests/step7/run7.hpp"
 
 namespace rungproof::test {
@@ -47,6 +48,16 @@ std::string counting(const std::string& control) {
                    ", SMB47\nMOVD 0, SMD48\nHDEF 1, 0\nHSC 1\nNetwork 2\nLDD> HC1, 100\n= Q0.0\n");
 }
 
+/// A timer whose data the export lacks.
+std::string drawnTimer() {
+  test7::DrawnNet net;
+  const int box = net.part("TON", test7::instanceText("\"Wait\"") + test7::typed("time_type", "Time"));
+  net.in("M0.0", box, "IN");
+  net.in("T#1S:Time", box, "PT");
+  net.out(box, "Q", "Q0.0");
+  return test7::drawnDocument(test7::drawnBlock("OB", "Main", 1, "", test7::unit(net.text())));
+}
+
 const std::string divides =
     "PROGRAM main\nVAR_INPUT\n  a : INT;\nEND_VAR\nVAR\n  q : BOOL;\nEND_VAR\nq := 10 / a > 2;\nEND_PROGRAM\n";
 
@@ -64,6 +75,8 @@ std::vector<Record> records() {
        mainBlock("Network 1\nLD I0.0\nCALL SBR21, I0.0, M0.0\nNetwork 2\nLD M0.0\n= Q0.0\n"), ""},
       {"has no text: what it may write is any value", "",
        mainBlock("Network 1\nLD I0.0\nCALL SBR21, I0.0, M0.0\nNetwork 2\nLD M0.0\n= Q0.0\n"), "prove p: never Q0.0\n"},
+      {"which no file holds, begins with the start values", "the instance \"Wait\", which no file holds", drawnTimer(),
+       "prove p: Q0.0 implies M0.0\n"},
       {"writes only what its calls give it", "",
        mainBlock("Network 1\nLD I0.0\nCALL SBR21, I0.0, M0.0\nNetwork 2\nLD M0.0\n= Q0.0\n"), "prove p: never Q0.0\n"},
       {"what later rounds of the loop write is taken as any value", "",

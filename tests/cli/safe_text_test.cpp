@@ -256,7 +256,8 @@ TEST(SafeText, NamesOfDrawingsAreOnOneLine) {
       "\"/><variable>b&#10;::error::owned</variable></coil></LD></body></pou></pous></types></project>");
   const std::string simatic = folder.file(
       "b.xml",
-      "<Document><SW.Tags.PlcTagTable ID=\"0\"><ObjectList><SW.Tags.PlcTag ID=\"1\"><AttributeList><DataTypeName>Odd"
+      "<Document><SW.Blocks.OB ID=\"1\"><AttributeList><Name>Main</Name></AttributeList></SW.Blocks.OB>"
+      "<SW.Tags.PlcTagTable ID=\"0\"><ObjectList><SW.Tags.PlcTag ID=\"1\"><AttributeList><DataTypeName>Odd"
       "</DataTypeName><Name>b&#10;::error::owned&#27;[2J</Name></AttributeList></SW.Tags.PlcTag></ObjectList></SW.Tags."
       "PlcTagTable></Document>");
   for (const std::string& file : {plcopen, simatic}) {

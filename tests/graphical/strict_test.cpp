@@ -177,21 +177,22 @@ TEST(StrictSimatic, ABlockBesideAnEmptyMainIsNotLost) {
   EXPECT_NE(findings(without).find("a"), std::string::npos);
 }
 
-TEST(StrictSimatic, ArraysAndStructuredTypesAreNamed) {
-  for (const char* type : {"Array[0..3] of Bool", "&quot;Motor_Type&quot;"}) {
-    const std::string interface =
-        std::string("<Section Name=\"Temp\"><Member Name=\"x\" Datatype=\"") + type + "\"/></Section>";
-    const Program program =
-        readText("t.xml", "<Document>" + blockText("SW.Blocks.OB", "Main", net, interface) + tagTable + "</Document>");
-    EXPECT_TRUE(hasReadErrors(program)) << type;
-    EXPECT_NE(findings(program), "") << type;
-  }
-  const Program udt = readText("t.xml", "<Document>" + blockText("SW.Blocks.OB", "Main", net) + tagTable +
-                                            "<SW.Types.PlcStruct ID=\"5\"><AttributeList><Name>Motor_Type</Name>"
-                                            "</AttributeList></SW.Types.PlcStruct></Document>");
-  EXPECT_TRUE(hasReadErrors(udt));
-  ASSERT_FALSE(udt.findings.empty());
-  EXPECT_NE(udt.findings.front().message.find("Motor_Type"), std::string::npos) << udt.findings.front().message;
+TEST(StrictSimatic, TypesThatNoFileHasAreNamed) {
+  const auto interfaceOf = [](const std::string& type) {
+    return "<Section Name=\"Temp\"><Member Name=\"x\" Datatype=\"" + type + "\"/></Section>";
+  };
+  const auto textOf = [&](const std::string& type, const std::string& more) {
+    return "<Document>" + blockText("SW.Blocks.OB", "Main", net, interfaceOf(type)) + tagTable + more + "</Document>";
+  };
+  expectRead(textOf("Array[0..3] of Bool", ""), "array");
+  const std::string motor =
+      "<SW.Types.PlcStruct ID=\"5\"><AttributeList><Name>Motor_Type</Name><Interface><Sections><Section Name=\"None\">"
+      "<Member Name=\"on\" Datatype=\"Bool\"/></Section></Sections></Interface></AttributeList></SW.Types.PlcStruct>";
+  expectRead(textOf("&quot;Motor_Type&quot;", motor), "type");
+  const Program without = readText("t.xml", textOf("&quot;Motor_Type&quot;", ""));
+  EXPECT_TRUE(hasReadErrors(without));
+  ASSERT_FALSE(without.findings.empty());
+  EXPECT_NE(without.findings.front().message.find("Motor_Type"), std::string::npos) << without.findings.front().message;
 }
 
 /// A damaged drawing ends every command alike: 2, with its finding.

@@ -67,7 +67,7 @@ TEST_P(PageTest, IsOneWholeFileWhoseLinksLeadSomewhere) {
   EXPECT_EQ(faultsOf(page), "");
   EXPECT_NE(page.find(sha256(contentOf(corpusFile(GetParam())))), std::string::npos) << "the hash of the bytes";
   for (const char* part : {"What was examined", "Choices in force", "What this rests on", "Self-check", "Findings",
-                           "Signatures", "Accepted by", "2023-11-14 22:13 UTC", "assumes: CPU 226"})
+                           "Signatures", "Accepted by", "2023-11-14 22:13 UTC", "assumes: CPU "})
     EXPECT_NE(page.find(part), std::string::npos) << part;
 }
 
