@@ -184,12 +184,29 @@ low:  L #k1; RND; T #OUT;
 out:  L 8; T #RET_VAL;
       CLR; SAVE; BEU;)";
 
+// N bits from SA on, of the outputs, get the result in front of it (002:2355).
+constexpr std::string_view bitArray = R"(
+      L P##SA; LAR1; L D[AR1,P#2.0];
+      L DW#16#7FFFF; AD; L DW#16#82000000; OD; LAR1;
+      L #N; L 0; <=I; JC none;
+      L #N;
+next: T #left; {0}; = [AR1,P#0.0]; +AR1 P#0.1; L #left; LOOP next;
+none: NOP 0;)";
+
 using enum BlockType;
+
+/// The inputs of the image get what the modules have at that moment (002:2355).
+std::string updateOfInputs(std::uint32_t imageBytes) {
+  std::string text;
+  for (std::uint32_t byte = 0; byte < imageBytes; byte += 4) text += fmt::format("L PID {0}; T ID {0};\n", byte);
+  return text;
+}
 
 /// Statements that give every output, ENO and the registers a value of temporary data that nobody has written. Where
 /// that is 0, as in `sim`, the block has met no error: RET_VAL is 0 and BR 1 (002:2387).
-std::string anyOutputs(const s7300::LibraryBlock& block) {
-  std::string data = "VAR_TEMP\n  eno : BOOL;\n  accu1 : DWORD;\n  accu2 : DWORD;\n  ar1 : DWORD;\n", statements;
+std::string anyOutputs(const s7300::LibraryBlock& block, std::string_view before = {}) {
+  std::string data = "VAR_TEMP\n  left : INT;\n  eno : BOOL;\n  accu1 : DWORD;\n  accu2 : DWORD;\n  ar1 : DWORD;\n",
+              statements;
   const auto parameters = s7300::interfaceOf(block);
   for (const s7300::Field& field : parameters->fields) {
     if (field.section != s7300::Section::Output) continue;
@@ -197,7 +214,8 @@ std::string anyOutputs(const s7300::LibraryBlock& block) {
     data += fmt::format("  any_{} : {};\n", field.name, s7300::toString(field.type));
     statements += fmt::format("{0} #any_{1}; {2} #{1};\n", isBit ? "A" : "L", field.name, isBit ? "=" : "T");
   }
-  return data + "END_VAR\nBEGIN\nNETWORK\n" + statements + "L #ar1; LAR1; L #accu2; L #accu1; AN #eno; SAVE; BEU;";
+  return data + "END_VAR\nBEGIN\nNETWORK\n" + std::string(before) + statements +
+         "L #ar1; LAR1; L #accu2; L #accu1; AN #eno; SAVE; BEU;";
 }
 
 constexpr auto sourceRows = std::to_array<SourceRow>({
@@ -215,8 +233,11 @@ constexpr auto sourceRows = std::to_array<SourceRow>({
 
 }  // namespace
 
-std::string librarySource(const s7300::LibraryBlock& block) {
+std::string librarySource(const s7300::LibraryBlock& block, std::uint32_t imageBytes) {
   if (isBuiltIn(block)) return std::string(emptyBody);
+  if (block.type == Sfc && block.number == 26) return anyOutputs(block, updateOfInputs(imageBytes));
+  if (block.type == Sfc && (block.number == 79 || block.number == 80))
+    return anyOutputs(block, fmt::format(bitArray, block.number == 79 ? "SET" : "CLR"));
   const auto row = std::ranges::find_if(
       sourceRows, [&](const SourceRow& r) { return r.type == block.type && r.number == block.number; });
   if (row == sourceRows.end()) return s7300::isContractOnly(block) ? anyOutputs(block) : std::string();
@@ -226,7 +247,7 @@ std::string librarySource(const s7300::LibraryBlock& block) {
 
 bool isModelled(const s7300::LibraryBlock& block) {
   constexpr int stop = 46;
-  return (block.type == Sfc && block.number == stop) || !librarySource(block).empty();
+  return (block.type == Sfc && block.number == stop) || !librarySource(block, 0).empty();
 }
 
 }  // namespace rungproof::step7

@@ -17,7 +17,7 @@ inline constexpr std::string_view emptyBody = "BEGIN\nNETWORK\n";
 /// 46, which stops the CPU.
 bool isModelled(const s7300::LibraryBlock& block);
 /// What follows the interface of a block in a source: temporary data where it needs some, BEGIN, the statements; empty:
-/// calls of it are not covered.
-std::string librarySource(const s7300::LibraryBlock& block);
+/// calls of it are not covered. `imageBytes`: inputs of the CPU's image.
+std::string librarySource(const s7300::LibraryBlock& block, std::uint32_t imageBytes);
 
 }  // namespace rungproof::step7

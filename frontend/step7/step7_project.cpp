@@ -331,7 +331,7 @@ class ProjectBuilder {
       if (program_.subroutine(number) != nullptr) continue;
       const auto in = static_cast<std::uint32_t>(numberOfBlock(number));
       if (const s7300::LibraryBlock* block = s7300::libraryBlock(blockTypeOf(number), in)) {
-        const std::string text = librarySource(*block);
+        const std::string text = librarySource(*block, step7Row(program_.target.cpu).image);
         if (!text.empty())
           libraryBlock(number, s7300::standInName(*block), interfaceOf(*block), text, isBuiltIn(*block), statements);
         continue;

@@ -25,6 +25,7 @@ constexpr auto libraryRows = std::to_array<LibraryBlock>({
     {Sfc, 15, "DPWR_DAT", "LADDR:WORD RECORD:ANY|RET_VAL:INT"},
     {Sfc, 20, "BLKMOV", "SRCBLK:ANY|RET_VAL:INT DSTBLK:ANY"},
     {Sfc, 21, "FILL", "BVAL:ANY|RET_VAL:INT BLK:ANY"},
+    {Sfc, 26, "UPDAT_PI", "PART:BYTE|RET_VAL:INT FLADDR:WORD"},
     {Sfc, 27, "UPDAT_PO", "PART:BYTE|RET_VAL:INT FLADDR:WORD"},
     {Sfc, 28, "SET_TINT", "OB_NR:INT SDT:DT PERIOD:WORD|RET_VAL:INT"},
     {Sfc, 29, "CAN_TINT", "OB_NR:INT|RET_VAL:INT"},
@@ -45,6 +46,8 @@ constexpr auto libraryRows = std::to_array<LibraryBlock>({
     {Sfc, 46, "STP", ""},
     {Sfc, 47, "WAIT", "WT:INT"},
     {Sfc, 64, "TIME_TCK", "|RET_VAL:TIME"},
+    {Sfc, 79, "SET", "N:INT SA:POINTER|RET_VAL:INT"},
+    {Sfc, 80, "RSET", "N:INT SA:POINTER|RET_VAL:INT"},
     {Fc, 1, "AD_DT_TM", "T:DT D:TIME|RET_VAL:DT"},
     {Fc, 2, "CONCAT", "IN1:STRING IN2:STRING|RET_VAL:STRING"},
     {Fc, 3, "D_TOD_DT", "IN1:DATE IN2:TOD|RET_VAL:DT"},
@@ -106,9 +109,9 @@ const LibraryBlock* libraryBlockNamed(std::string_view name) {
 }
 
 std::span<const std::uint16_t> functionsBeyondParameters() {
-  // CREAT_DB, DEL_DB, UPDAT_PI, GD_RCV, SET, RSET, CREA_DBL, READ_DBL, WRIT_DBL, CREA_DB, SYNC_PI,
-  // SYNC_PO (002:2342-2358, general knowledge)
-  static constexpr auto numbers = std::to_array<std::uint16_t>({22, 23, 26, 61, 79, 80, 82, 83, 84, 85, 126, 127});
+  // CREAT_DB, DEL_DB, GD_RCV, CREA_DBL, READ_DBL, WRIT_DBL, CREA_DB, SYNC_PI, SYNC_PO (002:2342-2358, general
+  // knowledge)
+  static constexpr auto numbers = std::to_array<std::uint16_t>({22, 23, 61, 82, 83, 84, 85, 126, 127});
   return numbers;
 }
 

@@ -14,11 +14,12 @@ namespace {
 
 using enum BlockType;
 
-/// Which characters numbers have in a STRING is not stated (FC 5, 16, 30, 37 to 39).
+/// SFC 26, 79 and 80 are statements whose RET_VAL nobody knows. Which characters numbers have in a STRING is not stated
+/// (FC 5, 16, 30, 37 to 39).
 constexpr auto contractRows = std::to_array<std::pair<BlockType, std::uint16_t>>({
-    {Sfc, 15}, {Sfc, 27}, {Sfc, 28}, {Sfc, 29}, {Sfc, 30}, {Sfc, 31}, {Sfc, 32}, {Sfc, 33},
-    {Sfc, 34}, {Sfc, 36}, {Sfc, 37}, {Sfc, 38}, {Sfc, 39}, {Sfc, 40}, {Sfc, 41}, {Sfc, 42},
-    {Sfc, 44}, {Fc, 5},   {Fc, 16},  {Fc, 30},  {Fc, 37},  {Fc, 38},  {Fc, 39},
+    {Sfc, 15}, {Sfc, 26}, {Sfc, 79}, {Sfc, 80}, {Sfc, 27}, {Sfc, 28}, {Sfc, 29}, {Sfc, 30}, {Sfc, 31},
+    {Sfc, 32}, {Sfc, 33}, {Sfc, 34}, {Sfc, 36}, {Sfc, 37}, {Sfc, 38}, {Sfc, 39}, {Sfc, 40}, {Sfc, 41},
+    {Sfc, 42}, {Sfc, 44}, {Fc, 5},   {Fc, 16},  {Fc, 30},  {Fc, 37},  {Fc, 38},  {Fc, 39},
 });
 
 }  // namespace
@@ -41,6 +42,9 @@ std::string standInName(const LibraryBlock& block) {
 std::string_view effectOutside(const LibraryBlock& block) {
   if (block.type != Sfc) return {};
   if (block.number == 15) return "what it sends to a DP slave is no output of the program";
+  if (block.number == 26) return "every input of the image may change where it is called, whatever PART says";
+  if (block.number == 79 || block.number == 80)
+    return "it writes the image of the outputs, and the modules get that where the scan ends";
   if (block.number == 27) return "outputs are looked at where the scan ends, not where it writes them";
   return {};
 }

@@ -76,7 +76,7 @@ TEST(SyntaxMessages, EveryMessageOccurs) {
   collect(
       readText("x",
                "FUNCTION FC 1 : VOID\nODD line\nVAR_INPUT\n a BOOL ;\n b : NONE ;\n c : INT := 'x' ;\nEND_VAR\nBEGIN\n"
-               "FOO;\nL M 0.0;\nA \"name\";\nCALL FC 1;\nCALL FC 2;\nJC m;\nCALL SFC 43;\nCALL SFC 26 (PART := "
+               "FOO;\nL M 0.0;\nA \"name\";\nCALL FC 1;\nCALL FC 2;\nJC m;\nCALL SFC 43;\nCALL SFC 61 (BLOCK_ID := "
                "B#16#0);\nEND_FUNCTION\n"
                "DATA_BLOCK DB 9000\nSTRUCT\n a : INT ;\nEND_STRUCT ;\nBEGIN\n a 1 ;\nEND_DATA_BLOCK\n"));
   collect(readText("x.st",

@@ -21,6 +21,37 @@ TEST(ContractOnly, WhatDoesNotDependOnItIsProved) {
   EXPECT_TRUE(proofOf(properties, block(1, interlock + calls[1])).has("looked at where the scan ends"));
 }
 
+// SFC 26 brings the inputs of the image up to date in the midst of a scan (002:2355): what was read before it may
+// differ from what is read behind it, and two reads behind it agree.
+TEST(ContractOnly, UpdatedInputs) {
+  const std::string program =
+      block(1,
+            "A I 0.0;= M 0.0;CALL SFC 26 (PART := B#16#0, RET_VAL := MW 100, FLADDR := MW 102);A I 0.0;= M 0.1;"
+            "A I 0.0;= Q 0.0");
+  const Output proof =
+      proofOf("prove unchanged: M0.0 = M0.1\nprove behind: Q0.0 = M0.1\nprove last: Q0.0 = I0.0\n", program);
+  EXPECT_TRUE(proof.has("VIOLATED  unchanged")) << proof.text;
+  EXPECT_TRUE(proof.has("PROVED  behind") && proof.has("PROVED  last")) << proof.text;
+  EXPECT_TRUE(proof.has("every input of the image may change where it is called")) << proof.text;
+  EXPECT_EQ(lastRow(program, "M0.0,Q0.0", {"--set", "I0.0=1", "--scans", "2"}), "2,20,10,1,1");
+}
+
+// SFC 79 sets and SFC 80 clears N bits of the outputs from SA on (002:2355). Four from Q4.6 on end with Q5.1.
+TEST(ContractOnly, BitArraysOfOutputs) {
+  const std::string program =
+      block(1,
+            "CALL SFC 79 (N := 4, RET_VAL := MW 100, SA := P#Q 4.6);CALL SFC 80 (N := 1, RET_VAL := "
+            "MW 100, SA := P#Q 5.0);CALL SFC 79 (N := 0, RET_VAL := MW 100, SA := P#Q 6.0)");
+  const Output proof = proofOf(
+      "prove set: Q4.6 and Q4.7 and not Q5.0 and Q5.1\nprove others: QB6 = 0 and not Q4.5 and not "
+      "Q5.2\nprove result: MW100 = 0\n",
+      program);
+  EXPECT_TRUE(proof.has("PROVED  set") && proof.has("PROVED  others")) << proof.text;
+  EXPECT_TRUE(proof.has("VIOLATED  result")) << proof.text;
+  EXPECT_TRUE(proof.has("the modules get that where the scan ends")) << proof.text;
+  EXPECT_EQ(lastRow(program, "QB4,QB5,QB6", {"--scans", "2"}), "2,20,10,192,2,0");  // 2#11000000, 2#10
+}
+
 // A record of inputs is read, not written.
 TEST(ContractOnly, SFC15DoesNotWriteItsRecord) {
   const Output proof =

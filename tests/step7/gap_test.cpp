@@ -30,7 +30,7 @@ std::vector<GapCase> gapCases() {
        "0;\n"
        "END_FUNCTION\n",
        "CALL FC 5 (x := MW 4);"},
-      {LibraryBlock, "", "CALL SFC 26 (PART := B#16#0, RET_VAL := MW 4, FLADDR := MW 6);"},
+      {LibraryBlock, "", "CALL SFC 61 (CIRCLE_ID := B#16#1, BLOCK_ID := B#16#1, RET_VAL := MW 4);"},
       {SystemInstance, "DATA_BLOCK DB 14\nSFB 14\nBEGIN\nEND_DATA_BLOCK\n",
        "CALL SFB 14, DB 14 (REQ := M 0.0, ID := W#16#1, NDR := M 0.1, ADDR_1 := P#M 20.0 BYTE 2, RD_1 := P#Q 0.0 BYTE "
        "2);"},
@@ -76,9 +76,10 @@ TEST(Gaps, WhatHasNoPointer) {
 
 // Blocks of the system that change more than the places that their calls name.
 TEST(Gaps, BlocksOfTheSystem) {
-  for (const char* call : {"CALL SFC 26 (PART := B#16#0, RET_VAL := MW 4, FLADDR := MW 6);",
-                           "CALL SFC 61 (CIRCLE_ID := B#16#1, BLOCK_ID := B#16#1, RET_VAL := MW 4);",
-                           "CALL SFB 47, DB 5 (LADDR := W#16#300, SW_GATE := M 0.0);"}) {
+  for (const char* call :
+       {"CALL SFC 22 (LOW_LIMIT := W#16#5, UP_LIMIT := W#16#9, COUNT := W#16#4, RET_VAL := MW 4, DB_NUMBER := MW 6);",
+        "CALL SFC 61 (CIRCLE_ID := B#16#1, BLOCK_ID := B#16#1, RET_VAL := MW 4);",
+        "CALL SFB 47, DB 5 (LADDR := W#16#300, SW_GATE := M 0.0);"}) {
     const test::TemporaryFolder folder;
     folder.file("main.awl", std::string("ORGANIZATION_BLOCK OB 1\n//@ prove off: not Q0.0\n//@ prove on: Q0.0\nBEGIN\n"
                                         "NETWORK\nSET;\n= Q 0.0;\n") +

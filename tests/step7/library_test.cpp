@@ -48,8 +48,8 @@ TEST(Library, AProgramsOwnBlockOfThatNumberIsMeant) {
 TEST(Library, WhatIsNotModelledIsNotCovered) {
   const Program program = readOb1("CALL SFC 1 (RET_VAL := MW 0, CDT := #now);");
   EXPECT_EQ(findings7(program), "SYN046 4:38 nothing declares now");
-  const Program other = readOb1("CALL SFC 26 (PART := B#16#0, RET_VAL := MW 4, FLADDR := MW 6);\nSET;");
-  EXPECT_EQ(findings7(other), "SYN052 4:6 what SFC26 does besides its parameters is not modelled");
+  const Program other = readOb1("CALL SFC 61 (CIRCLE_ID := B#16#1, BLOCK_ID := B#16#1, RET_VAL := MW 4);\nSET;");
+  EXPECT_EQ(findings7(other), "SYN052 4:6 what SFC61 does besides its parameters is not modelled");
   EXPECT_FALSE(other.pous.at(0).networks.at(0).complete);
 }
 
