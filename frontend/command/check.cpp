@@ -13,6 +13,7 @@
 #include "frontend/text/excerpt.hpp"
 #include "frontend/watch.hpp"
 #include "ir/s7300/cpu.hpp"
+#include "ir/s7300/declarations.hpp"
 
 namespace rungproof {
 
@@ -24,11 +25,19 @@ struct CheckArguments {
   bool watch = false;
 };
 
+/// A block is valid if its head, its declarations and all its networks are.
+struct BlockVerdict {
+  std::string name;
+  bool isValid = true;
+  std::string reason;  ///< the first one
+};
+
 /// The verdicts on one program, and what they are about.
 struct Checked {
   Program program;
   std::vector<NetworkVerdict> verdicts;
   std::vector<std::pair<Span, std::string>> notes;  ///< on blocks that no file holds
+  std::vector<s7300::SourceFault> heads;            ///< of an S7-300/400: faults outside of networks
   bool isStl = false;
   bool isGuessed = false;  ///< the language was taken from the program
 
@@ -46,11 +55,46 @@ struct Checked {
     const Position position = program.sources->position(span);
     return fmt::format("{}:{}:{}", program.sources->file(span.file).name(), position.line, position.column);
   }
+  /// Of an S7-300/400; of a program without block verdicts none.
+  std::vector<BlockVerdict> blocks() const {
+    std::vector<BlockVerdict> result;
+    if (program.declarations == nullptr) return result;
+    const auto refuse = [&](const std::string& name, const std::string& reason) {
+      auto found = std::ranges::find(result, name, &BlockVerdict::name);
+      if (found == result.end()) found = result.insert(result.end(), {name, true, ""});
+      if (found->isValid && !reason.empty()) *found = {name, false, reason};
+    };
+    for (const Pou& pou : program.pous) {
+      if (!pou.isBuiltIn) refuse(pou.name, "");
+    }
+    for (const s7300::SourceFault& fault : heads) refuse(fault.block, fault.reason);
+    for (const NetworkVerdict& verdict : verdicts) refuse(nameOf(verdict), verdict.reason);
+    return result;
+  }
   std::size_t invalid() const {
     return static_cast<std::size_t>(
         std::ranges::count_if(verdicts, [](const NetworkVerdict& v) { return !v.reason.empty(); }));
   }
 };
+
+/// What the editor of STEP 7 refuses makes its network invalid, or its block.
+void takeSourceFaults(Checked& check) {
+  for (const s7300::SourceFault& fault : check.program.declarations->sourceFaults) {
+    if (fault.network == 0) {
+      check.heads.push_back(fault);
+      for (const Pou& pou : check.program.pous) {
+        if (fault.span.beginsIn(pou.span)) check.heads.back().block = pou.name;
+      }
+      continue;
+    }
+    const auto verdict = std::ranges::find_if(check.verdicts, [&](const NetworkVerdict& each) {
+      return fault.span.beginsIn(check.pouOf(each).span) && check.numberOf(each) == fault.network;
+    });
+    if (verdict == check.verdicts.end() || !verdict->reason.empty()) continue;
+    verdict->reason = fault.reason;
+    verdict->span = fault.span;
+  }
+}
 
 Checked checked(const Context& context, const CheckArguments& arguments) {
   Checked result;
@@ -61,6 +105,7 @@ Checked checked(const Context& context, const CheckArguments& arguments) {
   result.isStl = isOtherEditor || (result.isGuessed ? isWrittenAsStl(result.program) : arguments.language == "stl");
   const UnreadCode unread(result.program);
   result.verdicts = editorVerdicts(result.program, unread, result.isStl ? EditorLanguage::Stl : EditorLanguage::Ladder);
+  if (result.program.declarations != nullptr) takeSourceFaults(result);
   for (const MissingBlock& block : missingBlocks(unread.facts()))
     result.notes.emplace_back(block.firstCall->span, missingText(block));
   return result;
@@ -83,6 +128,9 @@ std::string textOf(const Checked& check, const Paint& paint, bool isQuiet) {
     text += fmt::format("{}: {}, network {} is {}: {}\n", check.placeOf(verdict.span), check.nameOf(verdict),
                         check.numberOf(verdict), paint.red("invalid"), verdict.reason);
   }
+  for (const s7300::SourceFault& fault : check.heads)
+    text +=
+        fmt::format("{}: {} is {}: {}\n", check.placeOf(fault.span), fault.block, paint.red("invalid"), fault.reason);
   for (const NetworkVerdict& verdict : check.verdicts) {
     if (verdict.isDrawn) continue;
     text += fmt::format("{}: note: {}, network {} is valid, but the ladder view may not be able to show it\n",
@@ -91,8 +139,13 @@ std::string textOf(const Checked& check, const Paint& paint, bool isQuiet) {
   for (const auto& [span, note] : check.notes) text += fmt::format("{}: note: {}\n", check.placeOf(span), note);
   if (isQuiet) return text;
   const std::size_t invalid = check.invalid();
-  return text + fmt::format("{}: {} valid, {} invalid\n", plural(check.verdicts.size(), "network"),
-                            check.verdicts.size() - invalid, invalid);
+  text += fmt::format("{}: {} valid, {} invalid\n", plural(check.verdicts.size(), "network"),
+                      check.verdicts.size() - invalid, invalid);
+  const std::vector<BlockVerdict> blocks = check.blocks();
+  const auto bad = static_cast<std::size_t>(std::ranges::count(blocks, false, &BlockVerdict::isValid));
+  return blocks.empty() ? text
+                        : text + fmt::format("{}: {} valid, {} invalid\n", plural(blocks.size(), "block"),
+                                             blocks.size() - bad, bad);
 }
 
 std::string jsonOf(const Checked& check) {
@@ -111,6 +164,10 @@ std::string jsonOf(const Checked& check) {
                                 {"file", check.program.sources->file(verdict.span.file).name()},
                                 {"line", position.line}});
   }
+  for (const BlockVerdict& block : check.blocks())
+    json["blocks"].push_back({{"block", block.name},
+                              {"valid", block.isValid},
+                              {"reason", block.isValid ? Json(nullptr) : Json(block.reason)}});
   json["notes"] = Json::array();
   for (const auto& [span, note] : check.notes) json["notes"].push_back(note);
   return json.dump(2) + "\n";
@@ -123,7 +180,7 @@ Exit run(const CheckArguments& arguments, Context& context) {
     return finding.severity == Severity::Error && finding.network == 0;
   };
   const bool isUnread = check.verdicts.empty() || std::ranges::any_of(check.program.findings, isOutside);
-  Exit exit = isUnread ? Exit::Failed : check.invalid() > 0 ? Exit::Found : Exit::Clean;
+  Exit exit = isUnread ? Exit::Failed : check.invalid() + check.heads.size() > 0 ? Exit::Found : Exit::Clean;
   for (const Finding& finding : check.program.findings) {
     if (!isOutside(finding)) continue;
     const Position position = check.program.sources->position(finding.span);
@@ -160,7 +217,9 @@ extern constexpr Command checkCommand = {
     .details =
         "An editor of the S7-200 SMART leaves an invalid network out of the download without an error: an unknown\n"
         "mnemonic or symbol, a wrong operand, no load at the start, a second rung, FOR and NEXT together.\n"
-        "Networks of an S7-300/400 are judged as statement lists: what cannot be read is invalid.\n"
+        "Sources of an S7-300/400 are judged as SIMATIC Manager compiles them: semicolons, lengths of labels and "
+        "names,\n"
+        "start values, blocks before their use; each block is valid or not.\n"
         "Exit code 0: all networks are valid; 1: some are not; 2: the files could not be read.\n"
         "\n"
         "Examples:\n"

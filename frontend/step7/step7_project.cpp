@@ -7,6 +7,7 @@
 
 #include "frontend/step7/library_source.hpp"
 #include "frontend/step7/mnemonic_vote.hpp"
+#include "frontend/step7/source_check.hpp"
 #include "frontend/step7/source_parser.hpp"
 #include "frontend/step7/statement_binder.hpp"
 #include "frontend/step7/symbol_list.hpp"
@@ -114,8 +115,8 @@ class ProjectBuilder {
 
   void build(const Step7Project& project) {
     chooseTarget();
-    readFiles(project);
     declarations_ = std::make_shared<s7300::Declarations>();
+    readFiles(project);
     declarations_->absentInstances = settleInstances(sources_, symbols_, project.drawnInstances);
     catalogue_.emplace(sources_, symbols_, reports_);
     types_.emplace(*catalogue_, reports_);
@@ -160,6 +161,7 @@ class ProjectBuilder {
       }
       sets_[pending.file] = vote.of(i);
       sources_.push_back(readSource(texts[i], {vote.of(i), pending.encoding}, sink));
+      checkSource(sources_.back(), texts[i], declarations_->sourceFaults);
     }
     for (const PendingFile& pending : project.tables) {
       SyntaxSink sink(program_, pending.file);

@@ -27,6 +27,14 @@ struct OpenValue {
   Span cause;               ///< place of the finding that says so
 };
 
+/// What the reader takes and the editor of STEP 7 refuses.
+struct SourceFault {
+  std::string block;
+  int network = 0;  ///< 0: in the head or the declarations
+  Span span;
+  std::string reason;
+};
+
 struct Declarations {
   std::map<std::uint32_t, std::shared_ptr<const Structure>> dataBlocks;  ///< by number
   std::map<std::string, std::uint32_t> dataBlockNames;                   ///< by foldedName() of the symbol
@@ -37,6 +45,7 @@ struct Declarations {
   std::vector<OpenValue> openValues;
   /// Data blocks that calls name as their instance and no file holds: taken with the start values of the called block.
   std::vector<std::string> absentInstances;
+  std::vector<SourceFault> sourceFaults;  ///< in the order of the texts
   /// Findings that leave open no more than that and the networks that are not complete: file and first byte.
   std::set<std::pair<std::uint32_t, std::uint32_t>> bounded;
 
