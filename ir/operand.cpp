@@ -50,7 +50,7 @@ std::string constantText(const Operand& operand) {
     case ConstantForm::Real: {
       const float real = std::bit_cast<float>(static_cast<std::uint32_t>(operand.value));
       std::string text = fmt::format("{}", real);
-      if (text.find_first_of(".eni") == std::string::npos) text += ".0";
+      if (text.find_first_of(".ni") == std::string::npos) text.insert(std::min(text.find('e'), text.size()), ".0");
       return text;
     }
     case ConstantForm::Ascii: {

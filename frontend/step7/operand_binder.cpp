@@ -106,7 +106,8 @@ BoundOperand badPath(const PathResult& found, const std::vector<PathStep>& path)
 BoundOperand constantBound(const Constant& value) {
   BoundOperand bound;
   bound.constant = value;
-  bound.operand = constant(s7300::accumulatorBits(value), ConstantForm::Typed);
+  const bool isReal = value.kind == s7300::ConstantKind::Real;
+  bound.operand = constant(s7300::accumulatorBits(value), isReal ? ConstantForm::Real : ConstantForm::Typed);
   bound.operand.text = spellingOf(value);
   bound.operand.width = widthOfConstant(value);
   return bound;

@@ -1,6 +1,8 @@
 // By mnemonic.
 #include "ir/s7300/statement_detail.hpp"
 
+#include <algorithm>
+#include <array>
 #include <string_view>
 
 namespace rungproof {
@@ -20,6 +22,33 @@ bool startsOnDelay(const Instruction& instruction) {
 
 bool comparesReals(const Instruction& instruction) {
   return isComparison(statementRole(instruction)) && instruction.desc->stl.ends_with('R');
+}
+
+bool wantsNoNegative(const Instruction& instruction) {
+  const std::string_view name = instruction.desc->stl;
+  return name == "SQRT" || name == "LN";
+}
+
+bool givesEitherSign(const Instruction& instruction) {
+  static constexpr std::array<std::string_view, 6> names = {"-R", "NEGR", "SIN", "COS", "TAN", "LN"};
+  return std::ranges::find(names, instruction.desc->stl) != names.end();
+}
+
+std::optional<WholeResult> resultOf(const Instruction& instruction, std::int64_t first, std::int64_t second) {
+  const std::string_view name = instruction.desc->stl;
+  if (name == "+") {  // + 5, + L#5
+    const std::string_view written = instruction.operands.empty() ? "" : std::string_view(instruction.operands[0].text);
+    return WholeResult{first + second, written.starts_with("L#") ? 32 : 16};
+  }
+  const bool isWhole = name.size() == 2 && (name[1] == 'I' || name[1] == 'D');
+  if (statementRole(instruction) != StatementRole::IntegerMath || !isWhole) return std::nullopt;
+  const int bits = name[1] == 'I' ? 16 : 32;
+  switch (name[0]) {
+    case '+': return WholeResult{first + second, bits};
+    case '-': return WholeResult{first - second, bits};
+    case '*': return WholeResult{first * second, bits};
+    default: return std::nullopt;
+  }
 }
 
 }  // namespace rungproof

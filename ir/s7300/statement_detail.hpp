@@ -2,6 +2,9 @@
 // compares. Tested by tests/ir/step7_role_test.cpp.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "ir/s7300/statement_role.hpp"
 
 namespace rungproof {
@@ -14,5 +17,18 @@ bool setsBit(const Instruction& instruction);
 bool startsOnDelay(const Instruction& instruction);
 /// ==R and its kind.
 bool comparesReals(const Instruction& instruction);
+/// SQRT and LN, which a number below 0 gives no result (002:1994, general knowledge).
+bool wantsNoNegative(const Instruction& instruction);
+/// -R, NEGR, SIN, COS, TAN, LN: statements whose result is below 0 for half of what they may get.
+bool givesEitherSign(const Instruction& instruction);
+/// A sum, difference, product or quotient of whole numbers, of 16 or 32 bits, and what it makes of two constants:
+/// `first` stood in ACCU2. Nothing for other statements and for a division by 0.
+struct WholeResult {
+  std::int64_t value = 0;
+  int bits = 16;
+
+  bool fits() const { return value >= -(std::int64_t{1} << (bits - 1)) && value < std::int64_t{1} << (bits - 1); }
+};
+std::optional<WholeResult> resultOf(const Instruction& instruction, std::int64_t first, std::int64_t second);
 
 }  // namespace rungproof

@@ -51,6 +51,14 @@ TEST(StatementRole, JumpsLatchesTimersAndComparisonsByTheirSpelling) {
   for (const char* name : {"SE", "SP", "SS", "SF"}) EXPECT_FALSE(startsOnDelay(with(name))) << name;
   for (const char* name : {"==R", "<>R", ">R", "<=R"}) EXPECT_TRUE(comparesReals(with(name))) << name;
   for (const char* name : {"==I", ">D", "+R"}) EXPECT_FALSE(comparesReals(with(name))) << name;
+  for (const char* name : {"SQRT", "LN"}) EXPECT_TRUE(wantsNoNegative(with(name))) << name;
+  for (const char* name : {"SQR", "EXP", "+R"}) EXPECT_FALSE(wantsNoNegative(with(name))) << name;
+  for (const char* name : {"-R", "NEGR", "SIN"}) EXPECT_TRUE(givesEitherSign(with(name))) << name;
+  for (const char* name : {"ABS", "SQR", "EXP", "-I"}) EXPECT_FALSE(givesEitherSign(with(name))) << name;
+  EXPECT_EQ(resultOf(with("-D"), 3, 5)->value, -2);
+  EXPECT_FALSE(resultOf(with("*I"), 300, 300)->fits());
+  EXPECT_TRUE(resultOf(with("*D"), 300, 300)->fits());
+  for (const char* name : {"/I", "MOD", "+R", "INC"}) EXPECT_FALSE(resultOf(with(name), 1, 1)) << name;
 }
 
 TEST(StatementRole, NoneOfTheOtherFamily) {
