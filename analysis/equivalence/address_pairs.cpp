@@ -83,6 +83,14 @@ std::optional<Address> AddressPairs::after(Address before) const {
 }
 
 ComparedRange AddressPairs::comparedFrom(Address before) const {
+  for (const ComparedRange& whole : wholes_) {
+    if (!coversAddress(whole.first, whole.bits, before)) continue;
+    const std::optional<Address> there = after(whole.first);
+    bool isTogether = there.has_value();
+    for (std::uint32_t i = 1; i < whole.bits && isTogether; ++i)
+      isTogether = after(Address{whole.first.area, whole.first.index + i}) == Address{there->area, there->index + i};
+    if (isTogether) return whole;
+  }
   if (!isAnalogue(before.area) || isWholeValue(before.area)) return {before};
   const Address first = wordOf(before);
   const std::optional<Address> there = after(first);

@@ -40,6 +40,8 @@ class AddressPairs {
   /// Pairs `count` addresses from `before` on in OLD with as many from `after` on in NEW. False if one of them has a
   /// partner already.
   bool add(Address before, Address after, std::uint32_t count);
+  /// Has these addresses of OLD compared as one value, if what stands for them in NEW stands together too.
+  void compareAsOne(ComparedRange range) { wholes_.push_back(range); }
   /// Pairs an interrupt event of OLD with one of NEW. False if one of them has a partner already.
   bool addEvent(int before, int after);
   bool empty() const { return runs_.empty() && events_.empty(); }
@@ -52,7 +54,8 @@ class AddressPairs {
   std::optional<Address> after(Address before) const;
   /// Whether the map itself names that address of NEW.
   bool names(Address after) const;
-  /// What an address of OLD is compared with: the word of an analog output where it stands together in both programs.
+  /// What an address of OLD is compared with: the word of an analog output where it stands together in both programs,
+  /// or what is compared as one.
   ComparedRange comparedFrom(Address before) const;
   /// The same for an address of NEW that has no partner.
   ComparedRange comparedAlone(Address after) const;
@@ -65,6 +68,7 @@ class AddressPairs {
     std::uint32_t count;
   };
   std::vector<Run> runs_;
+  std::vector<ComparedRange> wholes_;
   std::vector<std::pair<int, int>> events_;
 };
 

@@ -67,28 +67,53 @@ class RunShortener {
     return run;
   }
 
-  /// Each input of OLD with what stands for it in NEW, then inputs of NEW alone: off all the time.
+  /// Each input of OLD with what stands for it in NEW, then inputs of NEW alone: off all the time. What is one byte in
+  /// one program may be several bits in the other.
   void quietenInputs() {
     const std::vector<PresetValue> before = best_.before.empty() ? std::vector<PresetValue>{} : best_.before[0].inputs,
                                    after = best_.after.empty() ? std::vector<PresetValue>{} : best_.after[0].inputs;
     for (const PresetValue& input : before) {
-      const std::optional<Address> there = runs_.options.pairs.after(addressOf(input.operand));
-      quieten(addressOf(input.operand), there);
+      const std::vector<Address> own = addressesOf(input.operand);
+      std::vector<Address> there;
+      for (const Address& address : own) {
+        if (const auto partner = runs_.options.pairs.after(address)) there.push_back(*partner);
+      }
+      quieten(own, there);
     }
     for (const PresetValue& input : after) {
-      if (!runs_.options.pairs.before(addressOf(input.operand))) quieten(std::nullopt, addressOf(input.operand));
+      std::vector<Address> alone = addressesOf(input.operand);
+      std::erase_if(alone, [&](const Address& address) { return runs_.options.pairs.before(address).has_value(); });
+      quieten({}, alone);
     }
   }
-  void quieten(const std::optional<Address>& before, const std::optional<Address>& after) {
+  static std::vector<Address> addressesOf(const Operand& operand) {
+    const Address first = addressOf(operand);
+    std::vector<Address> addresses;
+    for (std::uint32_t i = 0; i < extentOf(operand); ++i) addresses.push_back({first.area, first.index + i});
+    return addresses;
+  }
+  /// The value without the bits that stand at these addresses.
+  static std::uint64_t without(const PresetValue& value, const std::vector<Address>& addresses) {
+    const std::vector<Address> own = addressesOf(value.operand);
+    std::uint64_t rest = value.value;
+    if (isWholeValue(value.operand.area)) return std::ranges::find(addresses, own[0]) == addresses.end() ? rest : 0;
+    const Place place = memoryPlace(value.operand.area, value.operand.offset, value.operand.width, value.operand.bit);
+    for (std::uint32_t i = 0; i < place.width; ++i) {
+      const bool isThere = std::ranges::find(addresses, bitOf(place, i)) != addresses.end();
+      if (isThere) rest &= ~(std::uint64_t{1} << (place.width - 1 - i));
+    }
+    return rest;
+  }
+  void quieten(const std::vector<Address>& before, const std::vector<Address>& after) {
     if (isOver()) return;
     EquivalenceRun run = best_;
     bool isChanged = false;
-    const auto quiet = [&](std::vector<ReplayScan>& scans, const std::optional<Address>& address) {
+    const auto quiet = [&](std::vector<ReplayScan>& scans, const std::vector<Address>& addresses) {
       for (ReplayScan& scan : scans) {
         for (PresetValue& value : scan.inputs) {
-          if (value.value == 0 || !address || addressOf(value.operand) != *address) continue;
-          value.value = 0;
-          isChanged = true;
+          const std::uint64_t rest = value.value == 0 ? 0 : without(value, addresses);
+          isChanged = isChanged || rest != value.value;
+          value.value = rest;
         }
       }
     };

@@ -98,12 +98,25 @@ void Influence::addPlace(const PlaceRow& row, std::uint32_t cause) {
   if (raisesEvents(row) && !facts_.calls().attachments().empty()) addEverything(cause);
 }
 
+/// Labels, and jumps to a label below in the same network: they decide nothing outside of it.
+bool Influence::staysInside(NetworkPlace place, std::uint32_t instruction) const {
+  const std::vector<FlowStep>& steps = facts_.plan().flows[place.block].steps;
+  const auto step = std::ranges::find(steps, instruction, &FlowStep::id);
+  if (step == steps.end()) return false;
+  const Control control = step->instruction->desc->control;
+  if (control == Control::LabelMark) return true;
+  const bool isJump = control == Control::Jump || control == Control::Branch;
+  const auto own = static_cast<std::uint32_t>(step - steps.begin());
+  return isJump && step->partner != noPartner && step->partner > own && steps[step->partner].network == place.network;
+}
+
 void Influence::addNetwork(NetworkPlace place, std::uint32_t cause) {
   Part& part = parts_[firstPart_[place.block] + place.network];
   for (const std::uint32_t id : part.instructions) {
     const Instruction& instruction = facts_.instruction(id);
     const Desc& desc = *instruction.desc;
-    if (desc.control != Control::None || actsOnDevices(desc)) return addEverything(cause);
+    const bool movesFlow = desc.control != Control::None && !staysInside(place, id);
+    if (movesFlow || actsOnDevices(desc)) return addEverything(cause);
     for (std::size_t i = 0; i < std::min<std::size_t>(instruction.operands.size(), desc.operandCount); ++i) {
       const OperandDesc& operand = desc.operands[i];
       if (operand.direction != Direction::In && !isKnownTarget(facts_, operand, instruction.operands[i]))

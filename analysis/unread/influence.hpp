@@ -57,6 +57,7 @@ class Influence {
 
   void collectParts();
   const Part* part(NetworkPlace place) const;
+  bool staysInside(NetworkPlace place, std::uint32_t instruction) const;
   void influence(Part& part, std::uint32_t cause);
   void influenceBlock(std::uint32_t block, std::uint32_t cause);
   void writesOf(std::uint32_t instruction, std::uint32_t cause);

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <csignal>
 #include <filesystem>
+#include <set>
 
 #include "analysis/equivalence/equivalence.hpp"
 #include "frontend/command.hpp"
@@ -13,6 +14,7 @@
 #include "frontend/sides/difference_report.hpp"
 #include "frontend/sides/sides.hpp"
 #include "frontend/simulation/trace_file.hpp"
+#include "frontend/simulation/witness_report.hpp"
 
 namespace rungproof {
 
@@ -57,7 +59,14 @@ Report partOf(const ProgramInput& input, const UnreadCode& unread, const std::ve
   return part;
 }
 
-Comparison comparisonOf(const Equivalence& found) {
+/// The output as the program names it.
+std::string nameOfOutput(const Program& program, const ObservedVerdict& output) {
+  if (!output.before || !isIec(program.target)) return output.name;
+  const Symbol* symbol = program.symbolOf(wholeVariable(program, operandAt(*output.before)));
+  return symbol == nullptr ? output.name : symbol->name;
+}
+
+Comparison comparisonOf(const Equivalence& found, const Program& before) {
   Comparison comparison;
   comparison.equal = found.equality == Equality::Equal;
   comparison.verdict = equalityName(found.equality);
@@ -72,8 +81,10 @@ Comparison comparisonOf(const Equivalence& found) {
       comparison.notes.insert(comparison.notes.begin(),
                               fmt::format("no difference in the first {} scans", found.depth));
     std::string open;
+    std::set<std::string> named;
     for (const ObservedVerdict& output : found.outputs) {
-      if (output.equality == Equality::Unknown) open += (open.empty() ? "" : ", ") + output.name;
+      const std::string name = nameOfOutput(before, output);
+      if (output.equality == Equality::Unknown && named.insert(name).second) open += (open.empty() ? "" : ", ") + name;
     }
     if (!open.empty()) comparison.notes.push_back("undecided: " + open);
   }
@@ -149,7 +160,7 @@ Exit run(const Arguments& arguments, Context& context) {
     found.notes.emplace_back("neither program writes an output: name memory to be compared with --observe");
   }
 
-  report.comparison = comparisonOf(found);
+  report.comparison = comparisonOf(found, *sides.runBefore);
   report.assumptions = found.assumptions;
   std::vector<std::string>& approximated = report.coverage.approximated;  // of both programs, which may share files
   approximated.insert(approximated.end(), found.approximations.begin(), found.approximations.end());

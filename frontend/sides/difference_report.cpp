@@ -31,8 +31,14 @@ std::optional<Operand> operandOf(const std::optional<Address>& address) {
 void addOperand(std::vector<TraceSignal>& list, const Program& program, const std::optional<Address>& address) {
   const auto operand = operandOf(address);
   if (!operand) return;
-  TraceSignal signal = signalOf(program, *operand);
+  TraceSignal signal = signalOf(program, wholeVariable(program, *operand));
   if (std::ranges::find(list, signal.name, &TraceSignal::name) == list.end()) list.push_back(std::move(signal));
+}
+
+/// What the value contributes to the whole: bytes of a variable come one by one, the highest first.
+std::uint64_t partOf(const Operand& whole, const PresetValue& preset) {
+  const auto last = whole.offset + static_cast<std::uint32_t>(std::max(bytes(whole.width), 1)) - 1;
+  return whole.width == preset.operand.width ? preset.value : preset.value << (8 * (last - preset.operand.offset));
 }
 
 /// A result whose property is the differing bit, for what draws networks of a witness.
@@ -56,10 +62,11 @@ DifferenceReport::Inputs DifferenceReport::inputs() const {
     std::map<std::string, std::pair<TraceSignal, Values>> found;
     for (std::size_t k = 0; k < scans.size(); ++k) {
       for (const PresetValue& preset : scans[k].inputs) {
-        TraceSignal signal = signalOf(program, preset.operand);
+        const Operand whole = wholeVariable(program, preset.operand);
+        TraceSignal signal = signalOf(program, whole);
         Values& values = found.try_emplace(signal.name, signal, Values{}).first->second.second;
         values.resize(scans.size());
-        values[k] = preset.value;
+        values[k] |= partOf(whole, preset);
       }
     }
     return found;
@@ -177,6 +184,11 @@ void DifferenceReport::describe(Comparison& comparison, const std::string& form)
   addOperand(before, *sides_.runBefore, run_.addressBefore);
   addOperand(after, *sides_.runAfter, run_.addressAfter);
   const Trace table = joined(common, before, after);
+  if (isIec(sides_.runBefore->target) && !before.empty() && !after.empty() && !table.rows.empty()) {
+    comparison.signal = before.front().name;  // the variable, not the bit of it
+    comparison.expected = table.rows.back().values[common.size()].value_or(0);
+    comparison.actual = table.rows.back().values[common.size() + before.size()].value_or(0);
+  }
   if (const std::string change = lastChange(table, common.size()); !change.empty()) comparison.notes.push_back(change);
   for (const auto& [choice, value] : run_.readings) {
     const ChoiceInfo& info = choiceInfo(choice);

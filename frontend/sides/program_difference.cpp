@@ -7,13 +7,15 @@
 
 #include "analysis/unread/influence.hpp"
 #include "engine/trace.hpp"
+#include "frontend/simulation/witness_report.hpp"
 
 namespace rungproof {
 
 namespace {
 
 std::string nameWithSymbol(const Program& program, const Operand& operand) {
-  const Symbol* symbol = program.symbolOf(operand);
+  const Symbol* symbol = program.symbolOf(wholeVariable(program, operand));
+  if (symbol != nullptr && isIec(program.target)) return symbol->name;
   return symbol == nullptr ? toString(operand) : fmt::format("{} ({})", toString(operand), symbol->name);
 }
 
@@ -66,8 +68,11 @@ class ReachOfChange {
     const auto verdict = std::ranges::find(verdicts, toString(observed), &ObservedVerdict::name);
     const std::string name = nameWithSymbol(program_, bit);
     if (verdict == verdicts.end()) return false;
-    if (std::ranges::find(change.outputs, name, &InfluencedOutput::name) == change.outputs.end())
+    const auto known = std::ranges::find(change.outputs, name, &InfluencedOutput::name);
+    if (known == change.outputs.end())
       change.outputs.push_back({name, verdict->equality});
+    else if (known->equality == Equality::Equal || verdict->equality == Equality::Different)
+      known->equality = verdict->equality;  // the bits of one variable
     return true;
   }
 

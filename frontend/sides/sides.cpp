@@ -9,6 +9,7 @@
 #include "analysis/unread/idle_blocks.hpp"
 #include "engine/trace.hpp"
 #include "frontend/sides/map_file.hpp"
+#include "frontend/sides/variable_pairs.hpp"
 #include "frontend/simulation/trace_file.hpp"
 #include "frontend/stl/missing_address.hpp"
 #include "ir/s7200/event.hpp"
@@ -232,8 +233,9 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
   }
   sides.before = readSide(context.side(ProgramSide::Old), sides.filesBefore);
   sides.after = readSide(context.side(ProgramSide::New), sides.filesAfter);
-  if (isIec(sides.before.program.target) || isIec(sides.after.program.target))
-    failures.push_back({"programs of IEC 61131-3 are not compared: their variables have no addresses", arguments.after,
+  const bool hasVariables = isIec(sides.before.program.target);
+  if (hasVariables != isIec(sides.after.program.target))
+    failures.push_back({"a program of IEC 61131-3 is compared with one of its own family only", arguments.after,
                         "prove the same properties of both"});
   guessFamily(context, {{&context.side(ProgramSide::Old), &sides.before.program},
                         {&context.side(ProgramSide::New), &sides.after.program}});
@@ -266,6 +268,7 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
     else
       sides.observed.push_back(*operand);
   }
+  if (hasVariables && isIec(sides.after.program.target)) pairVariables(sides, failures);
   if (arguments.asDownloaded) {
     sides.leftOutBefore = leaveOut(sides.before.program);
     sides.leftOutAfter = leaveOut(sides.after.program);

@@ -26,15 +26,6 @@ bool coversByte(const Operand& place, const Operand& byte) {
   return place.area == byte.area && place.offset <= byte.offset && byte.offset < place.offset + length;
 }
 
-/// IEC 61131-3: the variable to which a byte belongs that is written from outside.
-Operand wholeVariable(const Program& program, const Operand& operand) {
-  if (!isIec(program.target) || operand.area != Area::V) return operand;
-  for (const Symbol& symbol : program.symbols) {
-    if (symbol.address.kind == OperandKind::Direct && coversByte(symbol.address, operand)) return symbol.address;
-  }
-  return operand;
-}
-
 /// Whether the signal is an input of the scan that may have any value; of several bytes none may matter.
 bool isIdle(const Witness& witness, std::size_t scan, const Operand& signal) {
   if (witness.matters.empty()) return false;
@@ -62,6 +53,14 @@ bool areSame(const TraceRow& a, const TraceRow& b) {
 }
 
 }  // namespace
+
+Operand wholeVariable(const Program& program, const Operand& operand) {
+  if (!isIec(program.target) || operand.area != Area::V) return operand;
+  for (const Symbol& symbol : program.symbols) {
+    if (symbol.address.kind == OperandKind::Direct && coversByte(symbol.address, operand)) return symbol.address;
+  }
+  return operand;
+}
 
 Trace traceOf(const Program& program, const Choices& choices, const Witness& witness,
               const std::vector<TraceSignal>& signals, std::size_t limit, bool hidesIdle) {

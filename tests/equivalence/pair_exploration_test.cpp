@@ -94,4 +94,30 @@ TEST(PairExploration, KeepsAssumptions) {
   EXPECT_FALSE(Explored("LD I0.0;A I0.1;= Q0.0", "LD I0.0;= Q0.0", "", "assume a: I0.0 implies I0.1").run(0.5));
 }
 
+/// A word from outside that the map gives another place: what stands for each other stays equal while the run gets
+/// shorter. At 10 only OLD is on.
+TEST(PairExploration, PairedMemoryFromOutsideStaysEqual) {
+  const auto before = pairSide("old.awl", exportOf("LDW>= VW0,10;= Q0.0"), "external VW0\n"),
+             after = pairSide("new.awl", exportOf("LDW>= VW10,11;= Q0.0"), "external VW10\n");
+  Pair pair{"", "", "", Equality::Equal, "", "VB0..VB1 = VB10..VB11\n"};
+  const EquivalenceOptions options = optionsOf(pair, before.program, after.program);
+  const BothRuns runs{before.program, after.program, options, namedOutputs(before.program, after.program, options)};
+  const std::atomic<bool> cancel{false};
+  const auto run = exploredRun({&before.program, before.properties}, {&after.program, after.properties}, runs,
+                               std::chrono::steady_clock::now() + std::chrono::seconds(20), cancel);
+  ASSERT_TRUE(run.has_value());
+  const auto valueOf = [](const std::vector<PresetValue>& inputs) {
+    std::uint64_t value = 0;
+    for (const PresetValue& input : inputs) {
+      if (input.operand.area == Area::V && input.value != 0)
+        value |= input.operand.width == Width::Bit
+                     ? std::uint64_t{1} << (8 * ((input.operand.offset & 1U) == 0 ? 1 : 0) + input.operand.bit)
+                     : input.value << ((input.operand.offset & 1U) == 0 && input.operand.width == Width::Byte ? 8 : 0);
+    }
+    return value;
+  };
+  EXPECT_EQ(valueOf(run->before.back().inputs), 10U);
+  EXPECT_EQ(valueOf(run->after.back().inputs), 10U);
+}
+
 }  // namespace rungproof::test
