@@ -11,6 +11,7 @@
 #include "frontend/files/closest_word.hpp"
 #include "frontend/files/json.hpp"
 #include "frontend/input/program_input.hpp"
+#include "frontend/input/project_argument.hpp"
 #include "frontend/stl/missing_address.hpp"
 #include "frontend/text/columns.hpp"
 #include "frontend/text/excerpt.hpp"
@@ -228,11 +229,9 @@ std::optional<Failure> unknownName(const std::vector<std::string>& arguments, co
                                : fmt::format("did you mean '{}'?", meant)};
 }
 
-Exit run(Context& context, std::vector<std::string> arguments) {
-  const std::optional<Operand> address = takeAddress(arguments, context);
-  if (!address) {
-    if (const auto failure = unknownName(arguments, context)) return context.fail(*failure);
-  }
+/// `heading`: above the text; empty: none.
+Exit listProgram(Context& context, const std::vector<std::string>& arguments, const std::optional<Operand>& address,
+                 const std::string& heading) {
   ProgramInput input = readInput(context, arguments);
   if (const auto missing = address ? missingFrom(input.program.target, *address) : std::nullopt)
     return context.fail({*missing, {}, "choose the CPU with --cpu"});
@@ -258,9 +257,22 @@ Exit run(Context& context, std::vector<std::string> arguments) {
     exit = worse(exit, Exit::Found);
   for (const OutputRequest& output : context.outputs) {
     const std::string text =
-        output.name == "json" ? writer.json() : writer.text(Paint{context.color && output.file.empty()});
+        output.name == "json" ? writer.json() : heading + writer.text(Paint{context.color && output.file.empty()});
     if (!context.write(output, text)) exit = Exit::Failed;
   }
+  return exit;
+}
+
+Exit run(Context& context, std::vector<std::string> arguments) {
+  const std::optional<Operand> address = takeAddress(arguments, context);
+  if (!address) {
+    if (const auto failure = unknownName(arguments, context)) return context.fail(*failure);
+  }
+  const std::vector<std::string> programs = expandProjects(arguments, context.settings);
+  if (!std::ranges::all_of(programs, isProjectProgram)) return listProgram(context, arguments, address, {});
+  Exit exit = Exit::Clean;
+  for (const std::string& program : programs)
+    exit = worse(exit, listProgram(context, {program}, address, programs.size() > 1 ? program + "\n" : ""));
   return exit;
 }
 
@@ -285,6 +297,7 @@ extern constexpr Command xrefCommand = {
         "                                                 masters, or cleared by a power failure: exit code 1\n",
     .shows = option_group::Reading | option_group::Output | option_group::Configuration,
     .formats = "text|json",
+    .takesEachProgram = true,
     .setup = setup,
 };
 

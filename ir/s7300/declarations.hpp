@@ -35,6 +35,8 @@ struct Declarations {
   /// Data blocks of which no file tells what stands where, by number, each with the place of the finding that says so.
   std::map<std::uint32_t, Span> openBlocks;
   std::vector<OpenValue> openValues;
+  /// Blocks that run and whose statements are shown to nobody, by Pou::number.
+  std::set<int> protectedBlocks;
   /// Findings that leave open no more than that and the networks that are not complete: file and first byte.
   std::set<std::pair<std::uint32_t, std::uint32_t>> bounded;
 
