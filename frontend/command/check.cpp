@@ -111,12 +111,9 @@ void addTo(Json& json, const Checked& check) {
 }
 
 std::string jsonOf(const std::vector<Checked>& checks) {
-  Json json = {{"tool", "rungproof"},
-               {"version", programVersion()},
-               {"command", "check"},
-               {"language", checks.front().isStl ? "stl" : "ladder"},
-               {"networks", Json::array()},
-               {"notes", Json::array()}};
+  Json json = {{"tool", "rungproof"},       {"version", programVersion()},
+               {"command", "check"},        {"language", checks.front().isStl ? "stl" : "ladder"},
+               {"networks", Json::array()}, {"notes", Json::array()}};
   for (const Checked& check : checks) addTo(json, check);
   return json.dump(2) + "\n";
 }

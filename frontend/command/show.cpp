@@ -11,7 +11,6 @@
 #include "engine/instruction_recorder.hpp"
 #include "engine/stimulus.hpp"
 #include "frontend/command.hpp"
-#include "ir/iec/syntax.hpp"
 #include "frontend/input/program_input.hpp"
 #include "frontend/input/project_argument.hpp"
 #include "frontend/linting/lint_run.hpp"
@@ -21,6 +20,7 @@
 #include "frontend/step7/source_writer.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 #include "ir/iec/cpu.hpp"
+#include "ir/iec/syntax.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/cpu.hpp"
 
@@ -177,7 +177,8 @@ class Show {
       std::vector<std::string> files = projectsIn(name);
       if (const auto argument = files.empty() ? projectArgument(name) : std::nullopt) files.push_back(argument->file);
       if (files.empty())
-        return context_.fail({"--list prints the tree of a STEP 7 project", name, "name a .s7p file, its folder or its archive"});
+        return context_.fail(
+            {"--list prints the tree of a STEP 7 project", name, "name a .s7p file, its folder or its archive"});
       for (const std::string& file : files)
         text += projectTree(*s7project::s7ProjectOf(file, *encodingNamed(context_.settings.text(Opt::Encoding))));
     }

@@ -12,7 +12,6 @@
 #include "analysis/drawing/editor_verdict.hpp"
 #include "analysis/rule.hpp"
 #include "frontend/files/file_reader.hpp"
-#include "ir/iec/syntax.hpp"
 #include "frontend/input/project_argument.hpp"
 #include "frontend/input/protected_findings.hpp"
 #include "frontend/input/tag_list.hpp"
@@ -25,6 +24,7 @@
 #include "frontend/stl/operand_reader.hpp"
 #include "frontend/stl/stl_likeness.hpp"
 #include "frontend/stl/syntax_sink.hpp"
+#include "ir/iec/syntax.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/organization_block.hpp"
 

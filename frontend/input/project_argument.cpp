@@ -134,7 +134,11 @@ std::optional<Failure> projectFailure(const std::vector<std::string>& names, con
       const auto project = s7project::s7ProjectOf(file, encodingOf(settings));
       if (project->failure) return project->failure;
       const std::vector<const ProjectProgram*> all = programsOf(*project, {});
-      if (all.empty()) return Failure{"the project holds no blocks", file, "'rungproof show --list' prints its tree"};
+      if (all.empty()) {
+        const std::string help = "'rungproof show --list' prints its tree";
+        if (project->faults.empty()) return Failure{"the project holds no blocks", file, help};
+        return Failure{"the project holds no blocks: " + project->faults.front().text, file, help};
+      }
       const std::string_view meant = argument && !argument->program.empty() ? argument->program : wanted;
       const std::vector<const ProjectProgram*> programs = programsOf(*project, meant);
       if (programs.empty())

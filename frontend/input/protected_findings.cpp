@@ -22,9 +22,8 @@ bool isCodeHidden(const Program& program, const Pou& pou) {
 void hideProtected(const Program& program, std::vector<Finding>& findings) {
   if (!hasHiddenCode(program)) return;
   const auto hiding = [&](Span span) -> const Pou* {
-    const auto found = std::ranges::find_if(program.pous, [&](const Pou& pou) {
-      return span.beginsIn(pou.span) && isCodeHidden(program, pou);
-    });
+    const auto found = std::ranges::find_if(
+        program.pous, [&](const Pou& pou) { return span.beginsIn(pou.span) && isCodeHidden(program, pou); });
     return found == program.pous.end() ? nullptr : &*found;
   };
   for (Finding& finding : findings) {

@@ -16,7 +16,7 @@ using mc7::StoredBlock;
 using step7::MnemonicSet;
 
 TextEncoding encodingOfPage(unsigned page) {
-  return page == 65001 ? TextEncoding::Utf8
+  return page == 65001  ? TextEncoding::Utf8
          : page == 1251 ? TextEncoding::Cp1251
          : page == 936  ? TextEncoding::Gb18030
                         : TextEncoding::Cp1252;
@@ -25,7 +25,8 @@ TextEncoding encodingOfPage(unsigned page) {
 /// A row of an .sdf table: fields padded with blanks.
 std::string symbolRow(const s7project::Symbol& symbol) {
   const auto plain = [](std::string text) {
-    std::ranges::replace_if(text, [](char c) { return c == '"' || static_cast<unsigned char>(c) < 0x20; }, ' ');
+    std::ranges::replace_if(
+        text, [](char c) { return c == '"' || static_cast<unsigned char>(c) < 0x20; }, ' ');
     return text;
   };
   return fmt::format("\"{:<24}\",\"{:<12}\",\"{:<10}\",\"{}\"\n", plain(symbol.name), plain(symbol.address),
@@ -107,7 +108,8 @@ void StoredReader::reportConflicts(const std::vector<StoredBlock>& blocks, const
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     for (const mc7::UsedBlock& used : blocks[i].used) {
       const auto known = stamps.find(used.key);
-      if (known == stamps.end() || known->second == 0 || used.interface == 0 || known->second == used.interface) continue;
+      if (known == stamps.end() || known->second == 0 || used.interface == 0 || known->second == used.interface)
+        continue;
       SyntaxSink sink(program_, files[i]);
       sink.setPlace(toString(blocks[i].key), 0);
       sink.report(Syntax::TimeStampConflict, {files[i], 0, 1},

@@ -37,8 +37,8 @@ std::string withoutVoid(std::string_view text) {
     const std::string_view line = text.substr(at, end - at + 1);
     const std::size_t colon = line.find(':');
     const std::string_view type = colon == std::string_view::npos ? "" : trimmed(line.substr(colon + 1));
-    const bool isVoid = type.size() >= 4 && equalsIgnoringCase(type.substr(0, 4), "VOID") &&
-                        trimmed(line).substr(0, 7) == "RET_VAL";
+    const bool isVoid =
+        type.size() >= 4 && equalsIgnoringCase(type.substr(0, 4), "VOID") && trimmed(line).substr(0, 7) == "RET_VAL";
     if (!isVoid) kept += line;
     at = end + 1;
   }
@@ -56,7 +56,8 @@ std::string_view endKeywordOf(BlockKind kind) { return wordsOf(kind).close; }
 
 std::string asTitle(std::string_view text) {
   std::string line(text);
-  std::ranges::replace_if(line, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  std::ranges::replace_if(
+      line, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
   return line;
 }
 

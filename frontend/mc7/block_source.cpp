@@ -222,6 +222,11 @@ class BodyWriter {
           continue;
         }
       }
+      if (const std::optional<std::string> access = accessInBlock(i, to)) {
+        line(item.at, *access, body);
+        i += 2;
+        continue;
+      }
       const std::optional<std::string> call = item.hasList ? callOf(context, item) : std::nullopt;
       line(item.at, call ? *call : textOf(item, names_), body);
       ++i;
@@ -230,6 +235,20 @@ class BodyWriter {
     for (std::size_t i = to; i < decoded_.items.size(); ++i) {
       if (targets_.contains(decoded_.items[i].at)) line(decoded_.items[i].at, "BE", body);
     }
+  }
+
+  /// OPN DB 10 and an access to it are one statement of the language; the block stays open behind it.
+  std::optional<std::string> accessInBlock(std::size_t index, std::size_t to) const {
+    constexpr unsigned areaOfBlock = 4;
+    const CodeItem& open = decoded_.items[index];
+    if (!open.is("OPN") || open.opcode->operand != "DB" || index + 1 >= to) return std::nullopt;
+    if (open.opcode->form != Form::Number8 && open.opcode->form != Form::Number16) return std::nullopt;
+    const unsigned number = open.opcode->form == Form::Number8 ? open.b1() : open.word();
+    const CodeItem& access = decoded_.items[index + 1];
+    const bool isDirect = access.opcode->form == Form::Bit || access.opcode->form == Form::Sized;
+    if (!isDirect || (access.b1() >> 4 & 7U) != areaOfBlock || number == 0 || targets_.contains(access.at))
+      return std::nullopt;
+    return fmt::format("{:<5} DB{}.{}", access.opcode->mnemonic, number, operandText(access, names_));
   }
 
   void line(std::optional<std::uint32_t> at, std::string_view statement, std::string& body) const {
@@ -251,7 +270,8 @@ class BodyWriter {
 
 /// Blanks in place of all but line ends.
 std::string blankedFrom(std::string text, std::size_t from) {
-  std::replace_if(text.begin() + static_cast<std::ptrdiff_t>(from), text.end(), [](char c) { return c != '\n'; }, ' ');
+  std::replace_if(
+      text.begin() + static_cast<std::ptrdiff_t>(from), text.end(), [](char c) { return c != '\n'; }, ' ');
   return text;
 }
 

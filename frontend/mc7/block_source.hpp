@@ -1,5 +1,5 @@
-// Stored blocks as sources, one each, which the reader of STEP 7 sources reads like any other file: networks with titles
-// and comments, labels, names of local data, calls with parameters. Tested by tests/mc7, tests/s7project.
+// Stored blocks as sources, one each, which the reader of STEP 7 sources reads like any other file: networks with
+// titles and comments, labels, names of local data, calls with parameters. Tested by tests/mc7, tests/s7project.
 #pragma once
 
 #include <memory>

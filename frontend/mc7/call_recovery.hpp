@@ -1,6 +1,6 @@
-// Calls as they were written: the compiler frames each by two BLD, between which it copies parameters. Where all of that
-// is of its making, CALL with names stands for it; else the statements stay as they are.
-// Tested by tests/mc7/call_recovery_test.cpp.
+// Calls as they were written: the compiler frames each by two BLD, between which it copies parameters. Where all of
+// that is of its making, CALL with names stands for it; else the statements stay as they are. Tested by
+// tests/mc7/call_recovery_test.cpp.
 #pragma once
 
 #include <functional>

@@ -21,7 +21,9 @@ struct CodeItem {
 
   unsigned b1() const { return bytes[1]; }
   std::uint16_t word() const { return static_cast<std::uint16_t>(bytes[2] << 8 | bytes[3]); }
-  std::uint32_t dword() const { return std::uint32_t{word()} << 16 | static_cast<std::uint32_t>(bytes[4] << 8 | bytes[5]); }
+  std::uint32_t dword() const {
+    return std::uint32_t{word()} << 16 | static_cast<std::uint32_t>(bytes[4] << 8 | bytes[5]);
+  }
   /// With its list.
   std::uint32_t length() const {
     return opcode->bytes + (hasList ? 4U + 4U * static_cast<std::uint32_t>(list.size()) : 0U);

@@ -186,8 +186,8 @@ std::string operandText(const CodeItem& item, const CodeNames& names) { return O
 
 std::string textOf(const CodeItem& item, const CodeNames& names) {
   const std::string operand = operandText(item, names);
-  std::string text = operand.empty() ? std::string(item.opcode->mnemonic)
-                                     : fmt::format("{:<5} {}", item.opcode->mnemonic, operand);
+  std::string text =
+      operand.empty() ? std::string(item.opcode->mnemonic) : fmt::format("{:<5} {}", item.opcode->mnemonic, operand);
   if (!item.hasList || item.list.empty()) return text;
   text += " {";
   for (std::size_t i = 0; i < item.list.size(); ++i) text += (i > 0 ? ", " : "") + listEntryText(item.list[i]);

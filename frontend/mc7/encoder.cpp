@@ -56,7 +56,8 @@ std::optional<std::uint32_t> bitsFor(Form form, const Constant& c) {
   switch (form) {
     case Form::HexByte: return when(c.kind == ConstantKind::Byte);
     case Form::HexWord: return when(c.kind == ConstantKind::Word || (c.kind == ConstantKind::Hex && c.value <= 0xFFFF));
-    case Form::HexDWord: return when(c.kind == ConstantKind::DWord || (c.kind == ConstantKind::Hex && c.value > 0xFFFF));
+    case Form::HexDWord:
+      return when(c.kind == ConstantKind::DWord || (c.kind == ConstantKind::Hex && c.value > 0xFFFF));
     case Form::BinaryWord: return when(c.kind == ConstantKind::Binary && c.value <= 0xFFFF);
     case Form::BinaryDWord: return when(c.kind == ConstantKind::Binary && c.value > 0xFFFF);
     case Form::Integer: return when(c.kind == ConstantKind::Integer && c.value >= -32768 && c.value <= 32767);
@@ -82,7 +83,10 @@ std::optional<std::uint32_t> bitsFor(Form form, const Constant& c) {
   }
 }
 
-bool holdsConstant(Form form) { return form >= Form::Offset; }
+constexpr std::uint16_t shortPointerOfParameter = 0xFBCA;  ///< which no compiler was seen to write
+
+/// Whether one text stands for several rows.
+bool isOneOfSeveral(const Opcode& row) { return row.form >= Form::Offset || row.value == shortPointerOfParameter; }
 
 /// The same for the row that is known to be meant: whatever the text calls the bits.
 std::optional<std::uint32_t> bitsOfAny(const Constant& c) {
@@ -97,8 +101,7 @@ void append(std::string& bytes, std::uint32_t value, std::size_t count) {
 /// Codes a statement by one row, or says that the row does not hold it.
 class RowEncoder {
  public:
-  RowEncoder(const Opcode& row, const Operand& operand,
-             const std::optional<LocalMeaning>& parameter)
+  RowEncoder(const Opcode& row, const Operand& operand, const std::optional<LocalMeaning>& parameter)
       : row_(row), operand_(operand), parameter_(parameter) {}
 
   std::optional<std::string> bytes(bool isPreferred) {
@@ -290,10 +293,10 @@ EncodedStatement encode(const Statement& statement, const EncodeNames& names, co
       operand.pointer = std::make_shared<Operand>(meaning->place);
   }
   const Opcode* meant = nullptr;
+  const bool isChosen = preferred != nullptr && isOneOfSeveral(*preferred);
   for (const Opcode* row : rowsOf(statement.mnemonic.text)) {
-    const bool isPreferred = row == preferred && holdsConstant(row->form);
-    if (preferred != nullptr && !isPreferred && holdsConstant(preferred->form)) continue;
-    std::optional<std::string> bytes = RowEncoder(*row, operand, parameter).bytes(isPreferred);
+    if (isChosen ? row != preferred : row->value == shortPointerOfParameter) continue;
+    std::optional<std::string> bytes = RowEncoder(*row, operand, parameter).bytes(isChosen);
     if (!bytes) continue;
     result.bytes = std::move(*bytes);
     meant = row;
@@ -332,8 +335,7 @@ AssembledCode assemble(std::span<const Statement> statements, const EncodeNames&
       code.fault = fmt::format("statement {}: {}", i + 1, encoded.fault);
       return code;
     }
-    if (!encoded.label.empty())
-      jumps.push_back({at, std::move(encoded.label), statements[i].mnemonic.text == "JL"});
+    if (!encoded.label.empty()) jumps.push_back({at, std::move(encoded.label), statements[i].mnemonic.text == "JL"});
     code.bytes += encoded.bytes;
   }
   for (const Jump& jump : jumps) {

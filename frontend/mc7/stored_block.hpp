@@ -1,5 +1,5 @@
-// A block as it is stored: in the offline container of a STEP 7 project, or read out of a CPU. Both hold the same parts,
-// which one decoder serves. Tested by tests/mc7/upload_test.cpp, tests/s7project.
+// A block as it is stored: in the offline container of a STEP 7 project, or read out of a CPU. Both hold the same
+// parts, which one decoder serves. Tested by tests/mc7/upload_test.cpp, tests/s7project.
 #pragma once
 
 #include <array>
@@ -60,9 +60,9 @@ struct StoredBlock {
 
 /// What the table says of networks and jumps.
 struct NetworkTable {
-  std::vector<std::uint32_t> lengths;         ///< bytes
-  std::vector<std::uint32_t> jumpPositions;   ///< byte offsets of the jump instructions
-  std::string fault;                          ///< why it cannot be read; empty: it can
+  std::vector<std::uint32_t> lengths;        ///< bytes
+  std::vector<std::uint32_t> jumpPositions;  ///< byte offsets of the jump instructions
+  std::string fault;                         ///< why it cannot be read; empty: it can
 };
 NetworkTable readNetworkTable(std::string_view table);
 

@@ -52,7 +52,8 @@ StoredBlock readUpload(std::string_view bytes, std::string place) {
   block.isNonRetain = (static_cast<std::uint8_t>(bytes[3]) & nonRetainBit) != 0;
   block.codeTime = timeStampOf(bytes.substr(16, 6));
   block.interfaceTime = timeStampOf(bytes.substr(22, 6));
-  const std::size_t declaration = bigEndian(bytes, 28, 2), table = bigEndian(bytes, 30, 2), code = bigEndian(bytes, 34, 2);
+  const std::size_t declaration = bigEndian(bytes, 28, 2), table = bigEndian(bytes, 30, 2),
+                    code = bigEndian(bytes, 34, 2);
   block.localBytes = static_cast<std::uint16_t>(bigEndian(bytes, 32, 2));
   const std::size_t whole = headerBytes + code + declaration + table + footerBytes;
   if (bytes.size() < whole) {

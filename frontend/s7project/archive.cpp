@@ -53,8 +53,7 @@ Archive::Archive(std::string bytes) : bytes_(std::move(bytes)) {
 std::optional<std::string> Archive::contents(const Entry& entry) const {
   const std::string_view all = bytes_;
   if (std::size_t{entry.at} + localBytes > all.size() || entry.size > longestProgram) return std::nullopt;
-  const std::size_t begin =
-      entry.at + localBytes + zipNumber(all, entry.at + 26, 2) + zipNumber(all, entry.at + 28, 2);
+  const std::size_t begin = entry.at + localBytes + zipNumber(all, entry.at + 26, 2) + zipNumber(all, entry.at + 28, 2);
   if (begin + entry.packed > all.size()) return std::nullopt;
   const std::string_view packed = all.substr(begin, entry.packed);
   if (entry.method == stored) return std::string(packed);

@@ -22,13 +22,13 @@ struct PartRow {
   PartRole role;
 };
 constexpr std::array<PartRow, 26> partRows = {{
-    {8, PartRole::Code},         {12, PartRole::Code},        {14, PartRole::Code},       {13, PartRole::Code},
-    {15, PartRole::Code},        {10, PartRole::Code},        {3, PartRole::Declaration}, {5, PartRole::Declaration},
-    {4, PartRole::Declaration},  {7, PartRole::Declaration},  {9, PartRole::Declaration}, {6, PartRole::Declaration},
-    {1, PartRole::Declaration},  {17, PartRole::Comments},    {19, PartRole::Comments},   {18, PartRole::Comments},
-    {22, PartRole::Comments},    {21, PartRole::Comments},    {20, PartRole::Comments},   {39, PartRole::Comments},
-    {67, PartRole::Used},        {65, PartRole::Used},        {64, PartRole::Used},       {70, PartRole::Used},
-    {71, PartRole::Used},        {66, PartRole::Used},
+    {8, PartRole::Code},        {12, PartRole::Code},       {14, PartRole::Code},       {13, PartRole::Code},
+    {15, PartRole::Code},       {10, PartRole::Code},       {3, PartRole::Declaration}, {5, PartRole::Declaration},
+    {4, PartRole::Declaration}, {7, PartRole::Declaration}, {9, PartRole::Declaration}, {6, PartRole::Declaration},
+    {1, PartRole::Declaration}, {17, PartRole::Comments},   {19, PartRole::Comments},   {18, PartRole::Comments},
+    {22, PartRole::Comments},   {21, PartRole::Comments},   {20, PartRole::Comments},   {39, PartRole::Comments},
+    {67, PartRole::Used},       {65, PartRole::Used},       {64, PartRole::Used},       {70, PartRole::Used},
+    {71, PartRole::Used},       {66, PartRole::Used},
 }};
 
 PartRole roleOf(std::int64_t type) {
@@ -37,8 +37,8 @@ PartRole roleOf(std::int64_t type) {
 }
 
 std::uint16_t containerWord(std::string_view bytes, std::size_t at) {
-  return static_cast<std::uint16_t>(static_cast<std::uint8_t>(bytes[at]) |
-                                    static_cast<std::uint8_t>(bytes[at + 1]) << 8);
+  return static_cast<std::uint16_t>(static_cast<std::uint8_t>(bytes[at]) | static_cast<std::uint8_t>(bytes[at + 1])
+                                                                               << 8);
 }
 
 class ContainerReader {
@@ -52,9 +52,10 @@ class ContainerReader {
     parts_ = table("SUBBLK");
     if (!rows) return std::move(result_);
     if (!parts_) {
-      result_.losses.push_back(fmt::format("{}/SUBBLK.DBF: it is missing, so the blocks have no code: the old layout "
-                                           "of STEP 7 V1 and V2 is not read",
-                                           folder_));
+      result_.losses.push_back(
+          fmt::format("{}/SUBBLK.DBF: it is missing, so the blocks have no code: the old layout "
+                      "of STEP 7 V1 and V2 is not read",
+                      folder_));
       return std::move(result_);
     }
     for (std::size_t i = 0; i < parts_->rows(); ++i) {
@@ -179,8 +180,7 @@ class ContainerReader {
     for (std::size_t i = 0; i < networks && at + 2 <= table.size(); ++i, at += 2) {
       const std::size_t length = containerWord(table, at);
       if (section > texts.size()) break;
-      const StoredBlock::NetworkText network =
-          mc7::readTitleRecord(std::string_view(texts).substr(section, length), 6);
+      const StoredBlock::NetworkText network = mc7::readTitleRecord(std::string_view(texts).substr(section, length), 6);
       block.networkTexts.push_back({text_(network.title), text_(network.comment)});
       section += length;
     }
@@ -205,8 +205,8 @@ class ContainerReader {
         std::string_view name = std::string_view(list).substr(at, comma - at);
         std::size_t letters = 0;
         while (letters < name.size() && name[letters] >= 'A' && name[letters] <= 'Z') ++letters;
-        for (const BlockKind kind : {BlockKind::Fb, BlockKind::Fc, BlockKind::Sfb, BlockKind::Sfc, BlockKind::Db,
-                                     BlockKind::Udt}) {
+        for (const BlockKind kind :
+             {BlockKind::Fb, BlockKind::Fc, BlockKind::Sfb, BlockKind::Sfc, BlockKind::Db, BlockKind::Udt}) {
           if (name.substr(0, letters) != step7::blockKindName(kind)) continue;
           std::uint32_t number = 0;
           for (const char c : name.substr(letters)) number = number * 10 + static_cast<std::uint32_t>(c - '0');

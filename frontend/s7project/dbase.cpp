@@ -111,8 +111,9 @@ DbaseTable::Memo DbaseTable::memo(std::size_t row, std::string_view name) const 
     return {{}, fmt::format("memo {} of {}, byte {} of the memo file: no memo begins there", *block, name, at)};
   const std::size_t length = littleNumber(all, at + 4, 4);
   if (length < memoHeadBytes || length > all.size() - at)
-    return {{}, fmt::format("memo {} of {}, byte {} of the memo file: its length {} is not possible", *block, name, at,
-                            length)};
+    return {{},
+            fmt::format("memo {} of {}, byte {} of the memo file: its length {} is not possible", *block, name, at,
+                        length)};
   return {std::string(all.substr(at + memoHeadBytes, length - memoHeadBytes)), {}};
 }
 

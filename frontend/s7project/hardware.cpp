@@ -36,7 +36,8 @@ std::string orderNumberIn(std::string_view station) {
   constexpr std::array<std::string_view, 4> heads = {"6ES7 31", "6ES7 41", "6ES7 151-7", "6ES7 151-8"};
   for (std::size_t at = station.find('\x13'); at != std::string_view::npos; at = station.find('\x13', at + 1)) {
     const std::string_view text = station.substr(at + 1, length);
-    if (text.size() == length && std::ranges::any_of(heads, [&](std::string_view head) { return text.starts_with(head); }))
+    if (text.size() == length &&
+        std::ranges::any_of(heads, [&](std::string_view head) { return text.starts_with(head); }))
       return std::string(text);
   }
   return {};

@@ -18,10 +18,10 @@ namespace rungproof::s7project {
 std::map<unsigned, std::string> dataSetsOf(std::string_view chain);
 
 struct CpuConfiguration {
-  std::string name;          ///< "CPU 315-2 DP", or as the project calls it
-  std::string station;       ///< name of its station; may be empty
-  std::string orderNumber;   ///< "6ES7 315-2AG10-0AB0"; empty: not known
-  std::string type;          ///< the CPU of cpu.hpp whose limits it has; empty: not known
+  std::string name;         ///< "CPU 315-2 DP", or as the project calls it
+  std::string station;      ///< name of its station; may be empty
+  std::string orderNumber;  ///< "6ES7 315-2AG10-0AB0"; empty: not known
+  std::string type;         ///< the CPU of cpu.hpp whose limits it has; empty: not known
   std::optional<std::uint16_t> scanLimitMs;
   std::optional<std::uint16_t> clockByte;
   struct Retention {

@@ -55,8 +55,8 @@ ProjectFiles ProjectFiles::inArchive(const std::string& file, std::string& fault
   }
   const auto archive = std::make_shared<Archive>(std::move(*input.bytes));
   fault = archive->fault();
-  const auto project = std::ranges::find_if(
-      archive->entries(), [](const Archive::Entry& entry) { return isProjectFileName(entry.name); });
+  const auto project = std::ranges::find_if(archive->entries(),
+                                            [](const Archive::Entry& entry) { return isProjectFileName(entry.name); });
   if (project == archive->entries().end()) {
     if (fault.empty()) fault = "no project of STEP 7 is in the archive";
     return files;

@@ -112,8 +112,9 @@ class ProjectReaderS7 {
       isOld = isOld || (files_.has(folder + "/BAUSTEIN.DBF") && !files_.has(folder + "/SUBBLK.DBF"));
     }
     if (isOld && !isNew)
-      fail(fmt::format("{} has the old layout of STEP 7 V1 and V2, which is not read", files_.projectFile()),
-           "open and save it with STEP 7 V5");
+      project_.failure =
+          Failure{fmt::format("{} has the old layout of STEP 7 V1 and V2, which is not read", files_.projectFile()),
+                  project_.file, "open and save it with STEP 7 V5"};
   }
 
   // Programs --------------------------------------------------------------------------------------------------------
@@ -151,7 +152,8 @@ class ProjectReaderS7 {
     constexpr std::size_t headBytes = 0x18, entryBytes = 24;
     if (links.empty()) return;
     if (offset < 0 || static_cast<std::size_t>(offset) + headBytes > links.size()) {
-      faults_.push_back(fmt::format("{}: its links begin at byte {}, behind the end of hrs/linkhrs.lnk", place, offset));
+      faults_.push_back(
+          fmt::format("{}: its links begin at byte {}, behind the end of hrs/linkhrs.lnk", place, offset));
       return;
     }
     bool hasBlocks = false, hasSources = false;
@@ -286,9 +288,8 @@ std::string textOfCodePage(std::string_view bytes, unsigned page) {
   if (page == 936) name = "GB18030";
   UErrorCode error = U_ZERO_ERROR;
   std::string text(bytes.size() * 4 + 4, '\0');
-  const std::int32_t length =
-      ucnv_convert("UTF-8", name.c_str(), text.data(), static_cast<std::int32_t>(text.size()), bytes.data(),
-                   static_cast<std::int32_t>(bytes.size()), &error);
+  const std::int32_t length = ucnv_convert("UTF-8", name.c_str(), text.data(), static_cast<std::int32_t>(text.size()),
+                                           bytes.data(), static_cast<std::int32_t>(bytes.size()), &error);
   if (U_FAILURE(error)) {
     error = U_ZERO_ERROR;
     const std::int32_t plain =

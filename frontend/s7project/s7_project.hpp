@@ -1,5 +1,5 @@
-// A STEP 7 V5 project: its programs with blocks, symbols, sources and hardware. What is damaged is said, and the rest is
-// there. Tested by tests/s7project.
+// A STEP 7 V5 project: its programs with blocks, symbols, sources and hardware. What is damaged is said, and the rest
+// is there. Tested by tests/s7project.
 #pragma once
 
 #include <memory>
@@ -26,8 +26,8 @@ struct TextSource {
 };
 
 struct ProjectProgram {
-  std::string name;  ///< "S7 Program(1)"; of blocks that belong to none: the name of their folder
-  std::string path;  ///< unique in the project: "SIMATIC 300(1)/CPU 315-2 DP/S7 Program(1)"
+  std::string name;       ///< "S7 Program(1)"; of blocks that belong to none: the name of their folder
+  std::string path;       ///< unique in the project: "SIMATIC 300(1)/CPU 315-2 DP/S7 Program(1)"
   std::string container;  ///< folder of its blocks
   std::vector<mc7::StoredBlock> blocks;
   std::vector<Symbol> symbols;
@@ -44,7 +44,7 @@ struct ProjectFault {
 };
 
 struct S7Project {
-  std::string file;      ///< as it was named: "Plant.s7p", "Plant.zip"
+  std::string file;  ///< as it was named: "Plant.s7p", "Plant.zip"
   unsigned codePage = 1252;
   bool isCodePageKnown = false;
   std::vector<ProjectProgram> programs;

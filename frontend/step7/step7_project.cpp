@@ -169,8 +169,9 @@ class ProjectBuilder {
     for (const PendingFile& pending : project.tables) {
       SyntaxSink sink(program_, pending.file);
       const std::string_view text = program_.sources->file(pending.file).text();
-      std::vector<SymbolRow> rows = looksLikeXml(text) ? readTagTable(program_.sources->file(pending.file), sink)
-                                                       : readSymbolList(text, pending.set.value_or(setOfTable(text, vote.ofProject())), sink);
+      std::vector<SymbolRow> rows =
+          looksLikeXml(text) ? readTagTable(program_.sources->file(pending.file), sink)
+                             : readSymbolList(text, pending.set.value_or(setOfTable(text, vote.ofProject())), sink);
       std::ranges::move(rows, std::back_inserter(symbols_));
     }
     sources_.insert(sources_.end(), project.drawn.begin(), project.drawn.end());

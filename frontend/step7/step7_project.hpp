@@ -17,7 +17,7 @@ namespace rungproof::step7 {
 struct PendingFile {
   std::uint32_t file = 0;
   TextEncoding encoding = TextEncoding::Utf8;
-  std::optional<MnemonicSet> set{};            ///< known beforehand; nothing: the texts tell
+  std::optional<MnemonicSet> set{};             ///< known beforehand; nothing: the texts tell
   std::shared_ptr<const std::string> hidden{};  ///< what is read in place of the text of the file, and shown to nobody
 };
 

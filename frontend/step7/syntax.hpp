@@ -88,7 +88,7 @@ struct Statement {
   std::vector<Argument> arguments;
   bool hasArguments = false;      ///< a parameter list stands there, may be empty
   std::vector<Operand> pointers;  ///< UC, CC: what stands in braces
-  std::string fault;          ///< why it cannot be read; empty: it can
+  std::string fault;              ///< why it cannot be read; empty: it can
   Span faultSpan;
   Span span;  ///< label through end
 };

@@ -115,24 +115,59 @@ TEST(Mc7Code, TextAloneGivesTheShortForm) {
   };
   // Codes of the opcode table; the short form wherever the operand fits it.
   const Case cases[] = {
-      {"A M 10.3", "830A"},           {"A M 256.3", "00330100"},       {"= I 127.7", "DF7F"},
-      {"= Q 128.0", "41200080"},      {"L MW 255", "12FF"},            {"L MW 256", "7E320100"},
-      {"T QD 5", "5B85"},             {"L PIW 256", "7E020100"},       {"T PQW 256", "7E060100"},
-      {"A DBX 0.1", "00410000"},      {"A DIX [AR2,P#1.2]", "7958000A"}, {"L W [AR1,P#0.0]", "FB020000"},
-      {"L D [AR2,P#0.0]", "FB0B0000"}, {"OPN DB 10", "200A"},           {"OPN DB 300", "FB78012C"},
-      {"OPN DI 5", "FB790005"},       {"UC FB 5", "7505"},             {"UC FB 300", "FB72012C"},
-      {"L W#16#1002", "30071002"},    {"L 5", "30030005"},             {"L L#5", "380300000005"},
-      {"L B#16#7F", "287F"},          {"L 2#101", "30020005"},         {"L 'ab'", "30056162"},
-      {"L C#123", "30080123"},        {"L S5T#2S", "300C0200"},        {"L T#1S", "3809000003E8"},
-      {"L 1.0", "38013F800000"},      {"L P#M 10.0", "380483000050"},  {"+ -1", "5800FFFF"},
-      {"+ L#1", "600500000001"},      {"LAR1 P#0.0", "FE0300000000"},  {"LAR1 MD 20", "FE330014"},
-      {"+AR2 P#2.0", "FE0A0010"},     {"BTD", "680E"},                 {"+I", "7900"},
-      {"-I", "5900"},                 {"A OV", "FF10"},                {"A <=0", "FFC0"},
-      {"SRD 3", "FEC3"},              {"SSI 3", "6831"},               {"UC FC 5", "3D05700B0002"},
-      {"UC SFC 20 {P#V 20.0}", "FB740014700B0004870000A0"},            {"A(", "BA00"},
-      {")", "BF00"},                  {"NOP 0", "0000"},               {"NOP 1", "FFFF"},
-      {"BLD 103", "1067"},            {"A T [MW 4]", "BF300004"},      {"L T 5", "0205"},
-      {"L LW [LD 4]", "BB660004"},    {"A I [MD 4]", "51310004"},      {"UC FC [MW 4]", "FB300004700B0002"},
+      {"A M 10.3", "830A"},
+      {"A M 256.3", "00330100"},
+      {"= I 127.7", "DF7F"},
+      {"= Q 128.0", "41200080"},
+      {"L MW 255", "12FF"},
+      {"L MW 256", "7E320100"},
+      {"T QD 5", "5B85"},
+      {"L PIW 256", "7E020100"},
+      {"T PQW 256", "7E060100"},
+      {"A DBX 0.1", "00410000"},
+      {"A DIX [AR2,P#1.2]", "7958000A"},
+      {"L W [AR1,P#0.0]", "FB020000"},
+      {"L D [AR2,P#0.0]", "FB0B0000"},
+      {"OPN DB 10", "200A"},
+      {"OPN DB 300", "FB78012C"},
+      {"OPN DI 5", "FB790005"},
+      {"UC FB 5", "7505"},
+      {"UC FB 300", "FB72012C"},
+      {"L W#16#1002", "30071002"},
+      {"L 5", "30030005"},
+      {"L L#5", "380300000005"},
+      {"L B#16#7F", "287F"},
+      {"L 2#101", "30020005"},
+      {"L 'ab'", "30056162"},
+      {"L C#123", "30080123"},
+      {"L S5T#2S", "300C0200"},
+      {"L T#1S", "3809000003E8"},
+      {"L 1.0", "38013F800000"},
+      {"L P#M 10.0", "380483000050"},
+      {"+ -1", "5800FFFF"},
+      {"+ L#1", "600500000001"},
+      {"LAR1 P#0.0", "FE0300000000"},
+      {"LAR1 MD 20", "FE330014"},
+      {"+AR2 P#2.0", "FE0A0010"},
+      {"BTD", "680E"},
+      {"+I", "7900"},
+      {"-I", "5900"},
+      {"A OV", "FF10"},
+      {"A <=0", "FFC0"},
+      {"SRD 3", "FEC3"},
+      {"SSI 3", "6831"},
+      {"UC FC 5", "3D05700B0002"},
+      {"UC SFC 20 {P#V 20.0}", "FB740014700B0004870000A0"},
+      {"A(", "BA00"},
+      {")", "BF00"},
+      {"NOP 0", "0000"},
+      {"NOP 1", "FFFF"},
+      {"BLD 103", "1067"},
+      {"A T [MW 4]", "BF300004"},
+      {"L T 5", "0205"},
+      {"L LW [LD 4]", "BB660004"},
+      {"A I [MD 4]", "51310004"},
+      {"UC FC [MW 4]", "FB300004700B0002"},
   };
   for (const Case& each : cases) {
     const std::string text = std::string(each.text) + ";";
@@ -220,9 +255,16 @@ TEST(Mc7Code, ReadsWhatOthersMistake) {
   EXPECT_NE(textsOf("FB72012C6500").find("UC    FB 300 ;\nL004: BE"), std::string::npos);
   EXPECT_NE(textsOf("5B85").find("T     QD 5"), std::string::npos);
   // JL with two entries: the default lies behind them at 4 + 8.
-  EXPECT_NE(textsOf("70090002700B0004700B0002" "0000" "6500").find("JL    L012"), std::string::npos);
+  EXPECT_NE(textsOf("70090002700B0004700B0002"
+                    "0000"
+                    "6500")
+                .find("JL    L012"),
+            std::string::npos);
   // The jump over a list is an instruction of its own.
-  EXPECT_EQ(mc7::decodeCode(bytesOf("3D05700B000487000000" "6500")).instructionCount(), 3U);
+  EXPECT_EQ(mc7::decodeCode(bytesOf("3D05700B000487000000"
+                                    "6500"))
+                .instructionCount(),
+            3U);
 }
 
 }  // namespace

@@ -51,7 +51,8 @@ TEST(Mc7Upload, ComesBackFromItsBytes) {
 }
 
 TEST(Mc7Upload, BecomesASourceWithNamesByPosition) {
-  const std::vector<mc7::BlockSource> sources = mc7::sourcesOf({mc7::readUpload(mc7::writeUpload(sample()), "x")}, false);
+  const std::vector<mc7::BlockSource> sources =
+      mc7::sourcesOf({mc7::readUpload(mc7::writeUpload(sample()), "x")}, false);
   ASSERT_EQ(sources.size(), 1U);
   EXPECT_EQ(sources[0].damage, "");
   EXPECT_NE(sources[0].text.find("IN0 : INT"), std::string::npos) << sources[0].text;
@@ -76,14 +77,15 @@ TEST(Mc7Upload, DamageIsFound) {
 
 // IN: INT with start value 5; STAT: STRUCT of BOOL and ARRAY[1..4] OF WORD; FB instance; TEMP: STRING[10].
 TEST(Mc7Declaration, IsTextOfAllTypes) {
-  const std::string items("\x05\x09"                                  // INT, IN, with start value
-                          "\x11\x04\x02"                              // STRUCT of two
-                          "\x01\x04"                                  // BOOL
-                          "\x10\x04\x01\x01\x00\x04\x00\x04\x04"      // ARRAY [1..4] OF WORD
-                          "\x15\x29\x00\x11\x04\x01\x01\x01"          // FB 41 with one BOOL
-                          "\x13\x05\x0A"                              // STRING [10] in TEMP
-                          "\x16\x06",                                 // ANY as RET_VAL
-                          2 + 3 + 2 + 9 + 8 + 3 + 2);
+  const std::string items(
+      "\x05\x09"                              // INT, IN, with start value
+      "\x11\x04\x02"                          // STRUCT of two
+      "\x01\x04"                              // BOOL
+      "\x10\x04\x01\x01\x00\x04\x00\x04\x04"  // ARRAY [1..4] OF WORD
+      "\x15\x29\x00\x11\x04\x01\x01\x01"      // FB 41 with one BOOL
+      "\x13\x05\x0A"                          // STRING [10] in TEMP
+      "\x16\x06",                             // ANY as RET_VAL
+      2 + 3 + 2 + 9 + 8 + 3 + 2);
   std::string bytes("\x01\x00\x00", 3);
   bytes += static_cast<char>(items.size());
   bytes += std::string("\0\2\0", 3) + items + std::string("\5\0", 2);

@@ -129,8 +129,8 @@ class BlockCompiler {
     std::vector<std::size_t> jumps;
     for (std::size_t i = 0; i < statements_.size(); ++i) {
       const Statement& one = statements_[i];
-      const bool isJump = one.operand.form == OperandForm::Word &&
-                          (one.mnemonic.text == "LOOP" || one.mnemonic.text.starts_with("J"));
+      const bool isJump =
+          one.operand.form == OperandForm::Word && (one.mnemonic.text == "LOOP" || one.mnemonic.text.starts_with("J"));
       if (isJump) jumps.push_back(i);
     }
     addLittle(block.table, jumps.size());

@@ -40,9 +40,15 @@ const Damage damages[] = {
     {"SUBBLK.DBT", [](std::string& b) { b.clear(); }, "behind the end of the memo file"},
     {"SUBBLK.DBT", [](std::string& b) { b.resize(b.size() / 2); }, "behind the end of the memo file"},
     {"SUBBLK.DBT", [](std::string& b) { std::fill(b.begin() + 512, b.end(), '\0'); }, "no memo begins there"},
-    {"SUBBLK.DBT", [](std::string& b) { for (std::size_t i = 512; i + 8 < b.size(); i += 512) b[i + 7] = '\x7F'; },
+    {"SUBBLK.DBT",
+     [](std::string& b) {
+       for (std::size_t i = 512; i + 8 < b.size(); i += 512) b[i + 7] = '\x7F';
+     },
      "is not possible"},
-    {"SUBBLK.DBT", [](std::string& b) { for (std::size_t i = 512; i + 8 < b.size(); i += 512) b[i + 4] = '\1', b[i + 5] = 0; },
+    {"SUBBLK.DBT",
+     [](std::string& b) {
+       for (std::size_t i = 512; i + 8 < b.size(); i += 512) b[i + 4] = '\1', b[i + 5] = 0;
+     },
      "is not possible"},
     {"hrs/S7RESOFF.DBF", [](std::string& b) { b[0] = 'x'; }, "S7RESOFF.DBF, byte 0"},
     {"linkhrs.lnk", [](std::string& b) { b.clear(); }, "linkhrs.lnk"},
@@ -74,7 +80,7 @@ struct BlockDamage {
 
 // FC 2 alone is damaged: it is named with the byte, counts as an interface, and the others are read.
 const BlockDamage blockDamages[] = {
-    {[](mc7::StoredBlock& b) { b.code[2] = '\x6B', b.code[3] = '\xFF'; }, "byte"},
+    {[](mc7::StoredBlock& b) { b.code[0] = '\x6B', b.code[1] = '\xFF'; }, "byte"},
     {[](mc7::StoredBlock& b) { b.code.resize(3); }, "byte"},
     {[](mc7::StoredBlock& b) { b.code[0] = static_cast<char>(b.code[0] ^ 1); }, ""},
     {[](mc7::StoredBlock& b) { b.table[2] = '\x7F'; }, "a network ends at byte"},
@@ -100,7 +106,7 @@ TEST(S7Damage, OfOneBlockLeavesTheOthersReadable) {
     EXPECT_TRUE(run.says("FC2 is not read")) << run.out << run.err;
     EXPECT_TRUE(run.says(damage.said)) << damage.said << run.out;
     const test::Run shown = runWith({"show", "--isolated", "--as", "stl", "--pou", "FC1", "--no-findings", project});
-    EXPECT_TRUE(shown.says("A      #Start")) << shown.out << shown.err;
+    EXPECT_TRUE(shown.says("O      #Start")) << shown.out << shown.err;
     // What depends on it is not proved.
     const std::string properties = folder.file("p.props", "prove value: MW12 == 0\n");
     const test::Run proved = runWith({"prove", "--isolated", "--props", properties, project});

@@ -66,7 +66,7 @@ VAR_INPUT
   Start : BOOL ;
   Stop : BOOL ;
 END_VAR
-VAR_OUTPUT
+VAR_IN_OUT
   Motor : BOOL ;
 END_VAR
 BEGIN

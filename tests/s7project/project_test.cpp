@@ -46,8 +46,9 @@ TEST(S7Project, ShowsCallsAndNamesAsTheyWereWritten) {
   const TemporaryFolder folder;
   const test::Run run = runWith({"show", "--isolated", "--as", "stl", "--no-findings", plantIn(folder)});
   EXPECT_EQ(run.exit, 0) << run.err;
-  for (const char* text : {"FC1", "A      #Start", "JC     ok", "ok:", "CALL   FC1 (Start := I0.0, Stop := I0.1, Motor := Q0.0)",
-                           "Limit := DB10.DBW0", "CALL   FB21, DB21", "Network 1  Self holding", "OB1  Main"})
+  for (const char* text :
+       {"FC1", "O      #Start", "JC     ok", "ok:", "CALL   FC 1 (Start := I0.0, Stop := I0.1, Motor := Q0.0)",
+        "Limit := DB10.DBW0", "CALL   FB 21, DB 21 (In := I0.2, Out := Q0.2)", "Network 1  Self holding", "OB1  Main"})
     EXPECT_TRUE(run.says(text)) << text << "\n" << run.out << run.err;
 }
 
@@ -89,7 +90,8 @@ TEST(S7Project, TextsAreOfTheProjectsCodePage) {
     const char* bytes;
     const char* text;
   };
-  const Case cases[] = {{1250, "\xB3\xF3\xBF", "łóż"}, {1251, "\xEF\xF3\xF1\xEA", "пуск"}, {936, "\xC6\xF4\xB6\xAF", "启动"}};
+  const Case cases[] = {
+      {1250, "\xB3\xF3\xBF", "łóż"}, {1251, "\xEF\xF3\xF1\xEA", "пуск"}, {936, "\xC6\xF4\xB6\xAF", "启动"}};
   for (const Case& each : cases) {
     const TemporaryFolder folder;
     test::ProjectPart part = test::plantPart();
@@ -116,7 +118,8 @@ TEST(S7Project, SeveralProgramsAreNamed) {
     EXPECT_TRUE(run.says("the project has 2 programs")) << run.err;
     EXPECT_TRUE(run.says("SIMATIC 300(2)/CPU 314/S7 Program(1)")) << run.err;
   }
-  const test::Run named = runWith({"show", "--isolated", "--program", "CPU 314/S7 Program(1)", "--no-findings", project});
+  const test::Run named =
+      runWith({"show", "--isolated", "--program", "CPU 314/S7 Program(1)", "--no-findings", project});
   EXPECT_EQ(named.exit, 0) << named.err;
   const test::Run both = runWith({"show", "--isolated", "--no-findings", project});
   EXPECT_EQ(both.out, named.out + "\n" + named.out) << both.err;
@@ -128,7 +131,9 @@ TEST(S7Project, SeveralProgramsAreNamed) {
 TEST(S7Project, OldLayoutIsRefusedByName) {
   const TemporaryFolder folder;
   std::map<std::string, std::string> files = test::writeProject({test::plantPart()}, 0);
-  std::erase_if(files, [](const auto& file) { return file.first.find("ubblk") != std::string::npos || file.first.find("SUBBLK") != std::string::npos; });
+  std::erase_if(files, [](const auto& file) {
+    return file.first.find("ubblk") != std::string::npos || file.first.find("SUBBLK") != std::string::npos;
+  });
   const test::Run run = runWith({"lint", "--isolated", writeFiles(folder, files)});
   EXPECT_EQ(run.exit, 2);
   EXPECT_TRUE(run.says("old layout of STEP 7 V1 and V2")) << run.err;

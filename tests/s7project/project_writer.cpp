@@ -128,11 +128,11 @@ class ContainerWriter {
 
   int id_ = 0;
   TableWriter blocks_{{{"ID", 'N', 5}, {"TYP", 'C', 5}, {"NUMMER", 'C', 5}, {"ATTRIBS", 'C', 40}, {"UDA", 'M', 10}}};
-  TableWriter parts_{{{"OBJECTID", 'N', 5},   {"BLKLANG", 'C', 5},    {"SUBBLKTYP", 'C', 5},  {"BLKNUMBER", 'C', 5},
-                      {"ATTRIBUTE", 'C', 5},  {"BLKTOTLEN", 'C', 5},  {"MC5LEN", 'C', 5},     {"SSBLEN", 'C', 5},
-                      {"ADDLEN", 'C', 5},     {"LOCDATALEN", 'C', 5}, {"TIMESTAMP1", 'C', 6}, {"TIMESTAMP2", 'C', 6},
-                      {"PASSWORD", 'C', 5},   {"USERNAME", 'C', 8},   {"BLOCKFNAME", 'C', 8}, {"BLOCKNAME", 'C', 8},
-                      {"VERSION", 'C', 5},    {"CHECKSUM", 'C', 5},   {"MC5CODE", 'M', 10},   {"SSBPART", 'M', 10},
+  TableWriter parts_{{{"OBJECTID", 'N', 5},  {"BLKLANG", 'C', 5},    {"SUBBLKTYP", 'C', 5},  {"BLKNUMBER", 'C', 5},
+                      {"ATTRIBUTE", 'C', 5}, {"BLKTOTLEN", 'C', 5},  {"MC5LEN", 'C', 5},     {"SSBLEN", 'C', 5},
+                      {"ADDLEN", 'C', 5},    {"LOCDATALEN", 'C', 5}, {"TIMESTAMP1", 'C', 6}, {"TIMESTAMP2", 'C', 6},
+                      {"PASSWORD", 'C', 5},  {"USERNAME", 'C', 8},   {"BLOCKFNAME", 'C', 8}, {"BLOCKNAME", 'C', 8},
+                      {"VERSION", 'C', 5},   {"CHECKSUM", 'C', 5},   {"MC5CODE", 'M', 10},   {"SSBPART", 'M', 10},
                       {"ADDINFO", 'M', 10}}};
 };
 
@@ -227,10 +227,8 @@ std::map<std::string, std::string> writeProject(const std::vector<ProjectPart>& 
     lists.add({{"_ID", std::to_string(list)}, {"_DBPATH", std::to_string(list)}});
     TableWriter symbols({{"_SKZ", 'C', 24}, {"_OPIEC", 'C', 12}, {"_DATATYP", 'C', 10}, {"_COMMENT", 'C', 80}});
     for (const ProjectPart::Symbol& symbol : part.symbols) {
-      symbols.add({{"_SKZ", symbol.name},
-                   {"_OPIEC", symbol.address},
-                   {"_DATATYP", symbol.type},
-                   {"_COMMENT", symbol.comment}});
+      symbols.add(
+          {{"_SKZ", symbol.name}, {"_OPIEC", symbol.address}, {"_DATATYP", symbol.type}, {"_COMMENT", symbol.comment}});
       symbols.add({{"_SKZ", "gone " + symbol.name}, {"_OPIEC", symbol.address}}, true);
     }
     files[fmt::format("YDBS/{}/Symlist.dbf", list)] = symbols.table();
@@ -238,9 +236,8 @@ std::map<std::string, std::string> writeProject(const std::vector<ProjectPart>& 
     cpus.add({{"ID", std::to_string(cpu)}, {"OBJTYP", "1316617"}, {"NAME", part.cpu}});
     relations.add({{"SOBJID", std::to_string(cpu)}, {"RELID", "16"}, {"TOBJID", std::to_string(id)}});
     relations.add({{"SOBJID", std::to_string(cpu)}, {"RELID", "1315827"}, {"TUNITID", std::to_string(station)}});
-    stations.add({{"ID", std::to_string(station)},
-                  {"OBJTYP", "1314969"},
-                  {"NAME", fmt::format("SIMATIC 300({})", i + 1)}});
+    stations.add(
+        {{"ID", std::to_string(station)}, {"OBJTYP", "1314969"}, {"NAME", fmt::format("SIMATIC 300({})", i + 1)}});
     std::string sets;
     for (const auto& [number, data] : part.dataSets) {
       sets += static_cast<char>(data.size() + 2);
@@ -252,7 +249,10 @@ std::map<std::string, std::string> writeProject(const std::vector<ProjectPart>& 
           {{"IDM", std::to_string(cpu)}, {"ATTRIIDM", "110717"}, {"MEMOARRAYM", attributes.memo(sets + '\0')}});
     if (!part.orderNumber.empty())
       files[fmt::format("hOmSave7/s7hstatx/{:08x}.s7h", station)] =
-          "\x03" "002\x06" "CPU\x13" + part.orderNumber + "\x04V2.0";
+          "\x03"
+          "002\x06"
+          "CPU\x13" +
+          part.orderNumber + "\x04V2.0";
   }
   files["hrs/S7RESOFF.DBF"] = rows.table();
   files["hrs/linkhrs.lnk"] = chain;

@@ -13,7 +13,8 @@ using test::TemporaryFolder;
 constexpr const char* secrets[] = {"77.3", "4711", "MW78", "MW 78", "Secret of the house"};
 
 void expectSecret(const test::Run& run, const std::string& what) {
-  for (const char* secret : secrets) EXPECT_FALSE(run.says(secret)) << what << ": " << secret << "\n" << run.out << run.err;
+  for (const char* secret : secrets)
+    EXPECT_FALSE(run.says(secret)) << what << ": " << secret << "\n" << run.out << run.err;
 }
 
 TEST(S7Protected, NoCommandPrintsAStatement) {
