@@ -61,7 +61,7 @@ std::vector<const ProjectProgram*> programsOf(const S7Project& project, std::str
 
 TextEncoding encodingOf(const Settings& settings) { return *encodingNamed(settings.text(Opt::Encoding)); }
 
-std::string listOf(const std::vector<const ProjectProgram*>& programs) {
+std::string programList(const std::vector<const ProjectProgram*>& programs) {
   std::vector<std::string> names;
   for (const ProjectProgram* program : programs) names.push_back("'" + program->path + "'");
   return fmt::format("{}", fmt::join(names, ", "));
@@ -142,11 +142,11 @@ std::optional<Failure> projectFailure(const std::vector<std::string>& names, con
       const std::string_view meant = argument && !argument->program.empty() ? argument->program : wanted;
       const std::vector<const ProjectProgram*> programs = programsOf(*project, meant);
       if (programs.empty())
-        return Failure{fmt::format("the project has no program '{}'", meant), file, "it has " + listOf(all)};
+        return Failure{fmt::format("the project has no program '{}'", meant), file, "it has " + programList(all)};
       if (programs.size() > 1 && !takesEachProgram)
         return Failure{wanted.empty() ? fmt::format("the project has {} programs", programs.size())
                                       : fmt::format("'{}' means {} programs", wanted, programs.size()),
-                       file, "name one with --program: " + listOf(programs)};
+                       file, "name one with --program: " + programList(programs)};
     }
   }
   if (!wanted.empty() && !isProject)

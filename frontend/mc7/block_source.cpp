@@ -91,7 +91,7 @@ class Declared {
   std::map<BlockKey, std::shared_ptr<const s7300::Structure>> interfaces_;
 };
 
-bool isLabel(std::string_view name) {
+bool isLabelOfStep7(std::string_view name) {
   const auto isLetter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; };
   return !name.empty() && name.size() <= 4 && isLetter(name[0]) &&
          std::ranges::all_of(name, [&](char c) { return isLetter(c) || (c >= '0' && c <= '9'); });
@@ -166,7 +166,7 @@ class BodyWriter {
     for (std::size_t i = 0; i < table_.jumpPositions.size() && i < block_.labels.size(); ++i) {
       const auto jump = std::ranges::lower_bound(decoded_.items, table_.jumpPositions[i], {}, &CodeItem::at);
       if (jump == decoded_.items.end() || jump->at != table_.jumpPositions[i]) continue;
-      if (jump->opcode->form == Form::Jump && isLabel(block_.labels[i]))
+      if (jump->opcode->form == Form::Jump && isLabelOfStep7(block_.labels[i]))
         wanted.emplace(static_cast<std::uint32_t>(jump->target()), block_.labels[i]);
     }
     std::set<std::string> taken;

@@ -42,7 +42,7 @@ struct PlaceOfItem {
   std::uint32_t address = 0;  ///< byte * 8 + bit
 };
 
-PlaceOfItem placeOf(const CodeItem& item) {
+PlaceOfItem placeOfAccess(const CodeItem& item) {
   const unsigned area = item.b1() >> 4 & 7U;
   switch (item.opcode->form) {
     case Form::Bit: return {area, false, Size::Bit, item.word() * 8U + (item.b1() & 7U)};
@@ -97,7 +97,7 @@ class CallFollower {
     if (!open.is("BLD") || frame == callFrames.end()) return std::nullopt;
     frame_ = &*frame;
     ++at_;
-    if (isNext("=") && placeOf(item()).area == areaL) {
+    if (isNext("=") && placeOfAccess(item()).area == areaL) {
       result_.lines.push_back(textOf(item(), context_.names));
       ++at_;
     }
@@ -152,7 +152,7 @@ class CallFollower {
       } else if (one.is("A") || one.is("L")) {
         const std::optional<std::string> text = placeText(one);
         if (!text) return;
-        open = {*text, {}, placeOf(one), {}, {}};
+        open = {*text, {}, placeOfAccess(one), {}, {}};
         if (one.opcode->form >= Form::Pointer) open.constant = one.opcode->bytes == 6 ? one.dword() : one.word();
         if (one.opcode->form == Form::HexByte) open.constant = one.b1();
         isLoaded = true;
@@ -163,7 +163,7 @@ class CallFollower {
         const std::optional<std::string> text = placeText(one);
         if (!text) return;
         open.target = *text;
-        open.to = placeOf(one);
+        open.to = placeOfAccess(one);
         open.from.size = open.from.area == 7 ? open.to.size : open.from.size;
         into.push_back(open);
         isLoaded = false;
@@ -181,7 +181,7 @@ class CallFollower {
 
   /// The operand as the caller names it; nothing where its data block is not known.
   std::optional<std::string> placeText(const CodeItem& one) const {
-    const PlaceOfItem place = placeOf(one);
+    const PlaceOfItem place = placeOfAccess(one);
     const bool isFunction = frame_->shape == CallShape::Function;
     if (place.area == areaDb && !place.byAr2) {
       if (isFunction) return openDb_.empty() ? std::nullopt : std::optional(addressOf(openDb_, place));
@@ -336,7 +336,7 @@ class CallFollower {
     if (isMulti) {
       if (!isNext("L") || item().opcode->operand != "DINO") return false;
       ++at_;
-      if (!isNext("T") || placeOf(item()).area != areaL || placeOf(item()).size != Size::Word) return false;
+      if (!isNext("T") || placeOfAccess(item()).area != areaL || placeOfAccess(item()).size != Size::Word) return false;
       holder = item().word();
       ++at_;
     }

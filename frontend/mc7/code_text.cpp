@@ -32,7 +32,7 @@ bool isDecimalCoded(std::uint16_t digits) {
 }
 
 /// A pointer as constants are written; a word of other bits as a number.
-std::string pointerText(std::uint32_t bits) {
+std::string pointerWordText(std::uint32_t bits) {
   const std::uint32_t head = bits >> 24;
   const bool isPointer = (bits & 0x00F80000U) == 0 && (head == 0 || (head & 0xF8U) == 0x80U);
   return constantText(isPointer ? ConstantKind::Pointer : ConstantKind::DWord, bits);
@@ -88,8 +88,8 @@ std::string valueText(const CodeItem& item) {
     case Form::Time: return constantText(ConstantKind::Time, static_cast<std::int32_t>(dword));
     case Form::TimeOfDay:
       return dword < millisecondsOfDay ? constantText(ConstantKind::TimeOfDay, dword) : hexText(item);
-    case Form::Pointer: return pointerText(dword);
-    case Form::Offset: return pointerText(word);
+    case Form::Pointer: return pointerWordText(dword);
+    case Form::Offset: return pointerWordText(word);
     default: return {};
   }
 }
@@ -180,7 +180,7 @@ class OperandPrinter {
 
 }  // namespace
 
-std::string listEntryText(std::uint32_t entry) { return pointerText(entry); }
+std::string listEntryText(std::uint32_t entry) { return pointerWordText(entry); }
 
 std::string operandText(const CodeItem& item, const CodeNames& names) { return OperandPrinter(item, names).text(); }
 

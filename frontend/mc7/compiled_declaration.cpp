@@ -53,16 +53,16 @@ const ItemType* itemTypeOf(std::uint8_t code) {
   return nullptr;
 }
 
-struct SectionRow {
+struct DeclarationSectionRow {
   unsigned kind;
   std::string_view keyword;
   std::string_view name;
 };
-constexpr std::array<SectionRow, 5> itemSections = {{{1, "VAR_INPUT", "IN"},
-                                                     {2, "VAR_OUTPUT", "OUT"},
-                                                     {3, "VAR_IN_OUT", "IN_OUT"},
-                                                     {4, "VAR", "STAT"},
-                                                     {5, "VAR_TEMP", "TEMP"}}};
+constexpr std::array<DeclarationSectionRow, 5> itemSections = {{{1, "VAR_INPUT", "IN"},
+                                                                {2, "VAR_OUTPUT", "OUT"},
+                                                                {3, "VAR_IN_OUT", "IN_OUT"},
+                                                                {4, "VAR", "STAT"},
+                                                                {5, "VAR_TEMP", "TEMP"}}};
 
 class DeclarationDecoder {
  public:
@@ -139,7 +139,7 @@ class DeclarationDecoder {
         fail(fmt::format("section {} is not known", section));
         break;
       }
-      const SectionRow& row = itemSections[shown - 1];
+      const DeclarationSectionRow& row = itemSections[shown - 1];
       if (shown != open) {
         if (open != 0) result_.text += "END_VAR\n";
         result_.text += fmt::format("{}\n", row.keyword);

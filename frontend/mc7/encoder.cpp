@@ -94,7 +94,7 @@ std::optional<std::uint32_t> bitsOfAny(const Constant& c) {
   return bitsFor(c.text.size() <= 2 ? Form::TwoCharacters : Form::FourCharacters, c);
 }
 
-void append(std::string& bytes, std::uint32_t value, std::size_t count) {
+void appendNumber(std::string& bytes, std::uint32_t value, std::size_t count) {
   while (count-- > 0) bytes += static_cast<char>(value >> (8 * count));
 }
 
@@ -109,8 +109,8 @@ class RowEncoder {
     std::uint32_t rest = 0;
     if (!fill(word, rest, isPreferred)) return std::nullopt;
     std::string bytes;
-    append(bytes, word, 2);
-    append(bytes, rest, row_.bytes - 2U);
+    appendNumber(bytes, word, 2);
+    appendNumber(bytes, rest, row_.bytes - 2U);
     return bytes;
   }
 
@@ -249,7 +249,7 @@ class RowEncoder {
   const std::optional<LocalMeaning>& parameter_;
 };
 
-const std::vector<const Opcode*>& rowsOf(const std::string& mnemonic) {
+const std::vector<const Opcode*>& rowsOfMnemonic(const std::string& mnemonic) {
   static const auto table = [] {
     std::unordered_map<std::string, std::vector<const Opcode*>> rows;
     for (const Opcode& row : opcodes()) rows[std::string(row.mnemonic)].push_back(&row);
@@ -294,7 +294,7 @@ EncodedStatement encode(const Statement& statement, const EncodeNames& names, co
   }
   const Opcode* meant = nullptr;
   const bool isChosen = preferred != nullptr && isOneOfSeveral(*preferred);
-  for (const Opcode* row : rowsOf(statement.mnemonic.text)) {
+  for (const Opcode* row : rowsOfMnemonic(statement.mnemonic.text)) {
     if (isChosen ? row != preferred : row->value == shortPointerOfParameter) continue;
     std::optional<std::string> bytes = RowEncoder(*row, operand, parameter).bytes(isChosen);
     if (!bytes) continue;
@@ -308,10 +308,10 @@ EncodedStatement encode(const Statement& statement, const EncodeNames& names, co
   }
   if (meant->form == Form::Jump) result.label = operand.name;
   if (!hasParameterList(*meant)) return result;
-  append(result.bytes, 0x700B, 2);
-  append(result.bytes, static_cast<std::uint32_t>(2 + 2 * statement.pointers.size()), 2);
+  appendNumber(result.bytes, 0x700B, 2);
+  appendNumber(result.bytes, static_cast<std::uint32_t>(2 + 2 * statement.pointers.size()), 2);
   for (const Operand& pointer : statement.pointers)
-    append(result.bytes, static_cast<std::uint32_t>(pointer.constant.value), 4);
+    appendNumber(result.bytes, static_cast<std::uint32_t>(pointer.constant.value), 4);
   return result;
 }
 

@@ -16,19 +16,19 @@ std::uint16_t littleWord(std::string_view bytes, std::size_t at) {
                                                                                << 8);
 }
 
-struct TypeRow {
+struct BlockTypeRow {
   unsigned type;
   BlockKind kind;
 };
-constexpr std::array<TypeRow, 9> typeRows = {{{0, BlockKind::Udt},
-                                              {8, BlockKind::Ob},
-                                              {10, BlockKind::Db},
-                                              {11, BlockKind::Sdb},
-                                              {12, BlockKind::Fc},
-                                              {13, BlockKind::Sfc},
-                                              {14, BlockKind::Fb},
-                                              {15, BlockKind::Sfb},
-                                              {27, BlockKind::Vat}}};
+constexpr std::array<BlockTypeRow, 9> blockTypeRows = {{{0, BlockKind::Udt},
+                                                        {8, BlockKind::Ob},
+                                                        {10, BlockKind::Db},
+                                                        {11, BlockKind::Sdb},
+                                                        {12, BlockKind::Fc},
+                                                        {13, BlockKind::Sfc},
+                                                        {14, BlockKind::Fb},
+                                                        {15, BlockKind::Sfb},
+                                                        {27, BlockKind::Vat}}};
 
 std::string untilNul(std::string_view text) { return std::string(text.substr(0, text.find('\0'))); }
 
@@ -93,13 +93,13 @@ std::uint16_t checksumOf(BlockKind kind, std::string_view code) {
 }
 
 std::optional<BlockKind> kindOfType(unsigned type) {
-  const auto row = std::ranges::find(typeRows, type, &TypeRow::type);
-  return row == typeRows.end() ? std::nullopt : std::optional(row->kind);
+  const auto row = std::ranges::find(blockTypeRows, type, &BlockTypeRow::type);
+  return row == blockTypeRows.end() ? std::nullopt : std::optional(row->kind);
 }
 
 unsigned typeOfKind(BlockKind kind) {
-  const auto row = std::ranges::find(typeRows, kind, &TypeRow::kind);
-  return row == typeRows.end() ? 0xFF : row->type;
+  const auto row = std::ranges::find(blockTypeRows, kind, &BlockTypeRow::kind);
+  return row == blockTypeRows.end() ? 0xFF : row->type;
 }
 
 }  // namespace rungproof::mc7
