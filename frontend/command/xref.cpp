@@ -270,6 +270,10 @@ Exit run(Context& context, std::vector<std::string> arguments) {
   }
   const std::vector<std::string> programs = expandProjects(arguments, context.settings);
   if (!std::ranges::all_of(programs, isProjectProgram)) return listProgram(context, arguments, address, {});
+  const bool isJson = std::ranges::any_of(context.outputs, [](const OutputRequest& out) { return out.name == "json"; });
+  if (isJson && programs.size() > 1)
+    return context.fail({fmt::format("JSON is written of one program, and there are {}", programs.size()),
+                         arguments.front(), "name one with --program; 'rungproof show --list' lists them"});
   Exit exit = Exit::Clean;
   for (const std::string& program : programs)
     exit = worse(exit, listProgram(context, {program}, address, programs.size() > 1 ? program + "\n" : ""));

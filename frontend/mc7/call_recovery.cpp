@@ -98,7 +98,10 @@ class CallFollower {
     frame_ = &*frame;
     ++at_;
     if (isNext("=") && placeOfAccess(item()).area == areaL) {
-      result_.lines.push_back(textOf(item(), context_.names));
+      // The statement stays where somebody reads the bit later.
+      const std::uint32_t address = placeOfAccess(item()).address;
+      if (readsSavedBit(context_.items, address / 8, address % 8))
+        result_.lines.push_back(textOf(item(), context_.names));
       ++at_;
     }
     const bool isFound = frame_->shape == CallShape::Function ? function() : instance();
@@ -477,6 +480,33 @@ const Field* fieldAt(const Structure& structure, std::uint32_t byte, unsigned bi
     if (field.byte == byte && field.bit == bit) return &field;
   }
   return nullptr;
+}
+
+bool readsSavedBit(const std::vector<CodeItem>& items, std::uint32_t byte, unsigned bit) {
+  constexpr unsigned callersLocal = 7;
+  const std::uint32_t saved = byte * 8 + bit;
+  return std::ranges::any_of(items, [&](const CodeItem& item) {
+    for (const std::uint32_t entry : item.list) {
+      if ((entry >> 24 & 7U) == callersLocal && (entry & 0x7FFFFU) == saved) return true;
+    }
+    const unsigned high = item.b1() >> 4 & 7U, low = item.b1() & 7U;
+    switch (item.opcode->form) {
+      case Form::Bit: return high == areaL && !item.is("=") && item.word() * 8U + low == saved;
+      case Form::Sized: {
+        const std::uint32_t bytes = 1U << (static_cast<unsigned>(item.opcode->size) - 1U);
+        return high == areaL && item.is("L") && item.word() <= byte && byte < item.word() + bytes;
+      }
+      case Form::Holder:
+        return high == areaL && !item.opcode->mnemonic.starts_with('T') && item.word() <= byte &&
+               byte < item.word() + 4U;
+      case Form::BitByMemory:
+      case Form::SizedByMemory: return low == areaL;
+      case Form::BitByRegister:
+      case Form::SizedByRegister: return high == areaL;
+      case Form::AnyByRegister: return true;
+      default: return false;
+    }
+  });
 }
 
 std::optional<RecoveredCall> recoverCall(const CallContext& context, std::size_t index, std::size_t networkEnd) {

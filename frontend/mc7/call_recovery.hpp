@@ -26,6 +26,9 @@ struct CallContext {
   const std::set<std::uint32_t>& targets;      ///< offsets to which jumps lead
 };
 
+/// Whether some instruction may read the bit of local data that the compiler saves behind the first BLD of a call.
+bool readsSavedBit(const std::vector<CodeItem>& items, std::uint32_t byte, unsigned bit);
+
 struct RecoveredCall {
   std::size_t end = 0;             ///< index of the item behind it
   std::vector<std::string> lines;  ///< statements without semicolon

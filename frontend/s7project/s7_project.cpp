@@ -159,7 +159,6 @@ class ProjectReaderS7 {
     bool hasBlocks = false, hasSources = false;
     for (std::size_t at = static_cast<std::size_t>(offset) + headBytes; at + entryBytes <= end; at += entryBytes) {
       const std::uint32_t type = linkNumber(links, at), id = linkNumber(links, at + 4);
-      if (type < 0x100000 || type > 0x1FFFFF) break;
       if (type == linkToBlocks && !hasBlocks) {
         hasBlocks = true;
         container(fmt::format("{:08x}", id), program);
@@ -168,6 +167,13 @@ class ProjectReaderS7 {
         hasSources = true;
         textSources(id, program);
       }
+    }
+    // Where the entries begin elsewhere, the pair of type and folder tells.
+    for (std::size_t at = static_cast<std::size_t>(offset); !hasBlocks && at + 8 <= end; at += 2) {
+      if (linkNumber(links, at) != linkToBlocks) continue;
+      const std::string name = fmt::format("{:08x}", linkNumber(links, at + 4));
+      hasBlocks = files_.has("ombstx/offline/" + name + "/BAUSTEIN.DBF");
+      if (hasBlocks) container(name, program);
     }
   }
 
