@@ -19,6 +19,14 @@ bool isCodeHidden(const Program& program, const Pou& pou) {
   return hasHiddenCode(program) && program.declarations->protectedBlocks.contains(pou.number);
 }
 
+Program withoutHiddenCode(const Program& program) {
+  Program open = program;
+  for (Pou& pou : open.pous) {
+    if (isCodeHidden(program, pou)) pou.networks.clear();
+  }
+  return open;
+}
+
 void hideProtected(const Program& program, std::vector<Finding>& findings) {
   if (!hasHiddenCode(program)) return;
   const auto hiding = [&](Span span) -> const Pou* {

@@ -14,6 +14,9 @@ bool isCodeHidden(const Program& program, const Pou& pou);
 /// Whether the program has such blocks.
 bool hasHiddenCode(const Program& program);
 
+/// The program with these blocks empty, for who asks what the others name.
+Program withoutHiddenCode(const Program& program);
+
 void hideProtected(const Program& program, std::vector<Finding>& findings);
 
 }  // namespace rungproof
