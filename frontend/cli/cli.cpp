@@ -71,6 +71,9 @@ std::size_t commandIndex(const std::vector<std::string>& arguments) {
 fs::path folderOf(const fs::path& file) {
   std::error_code error;
   if (fs::is_directory(file, error)) return file;
+  // A program of a project stands in its file.
+  if (const auto argument = projectArgument(file.string()); argument && !argument->program.empty())
+    return folderOf(argument->file);
   const bool isThere = fs::exists(file, error) || heldText(file.string()) != nullptr;
   return isThere && file.has_parent_path() ? file.parent_path() : fs::path(".");
 }

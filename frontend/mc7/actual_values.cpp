@@ -91,7 +91,9 @@ class ValueWriter {
     whole.fields.back().type = type;
     std::vector<std::int64_t> indices;
     for (const s7300::Bounds& bounds : type.bounds) indices.push_back(bounds.first);
-    for (bool isMore = !indices.empty() && type.element != nullptr; isMore;) {
+    // Elements that take no room are none.
+    std::size_t most = image_.size() * 8;
+    for (bool isMore = !indices.empty() && type.element != nullptr; isMore && most > 0; --most) {
       const s7300::PathStep step{name, indices, {}};
       const s7300::PathResult found = s7300::lookUp(whole, std::span(&step, 1));
       if (found.fault != s7300::PathFault::None || byte + found.byte >= image_.size()) return;

@@ -58,6 +58,20 @@ const Damage damages[] = {
     {"Symlist.dbf", [](std::string& b) { b.resize(70); }, "ymlist.dbf, byte"},
     {"HOBJECT1.DBF", [](std::string& b) { b[0] = 'x'; }, "HOBJECT1.DBF, byte 0"},
     {"HRELATI1.DBF", [](std::string& b) { b[0] = 'x'; }, "HRELATI1.DBF, byte 0"},
+    {"s7hstatx/HOBJECT1.DBF", [](std::string& b) { b.resize(50); }, "HOBJECT1.DBF, byte"},
+    {"HATTRME1.DBF", [](std::string& b) { b[10] = 1; }, "HATTRME1.DBF, byte 8"},
+    {"YLNKLIST.DBF", [](std::string& b) { b.resize(b.size() - 5); }, "YLNKLIST.DBF, byte"},
+    {"SYMLISTS.DBF", [](std::string& b) { b[4] = 100; }, "SYMLISTS.DBF, byte"},
+    {"Symlist.dbf", [](std::string& b) { b[4] = 100; }, "ymlist.dbf, byte"},
+    {"S7RESOFF.DBF", [](std::string& b) { b[4] = 100; }, "S7RESOFF.DBF, byte"},
+    {"S7RESOFF.DBF", [](std::string& b) { b.resize(33); }, "S7RESOFF.DBF, byte"},
+    {"subblk.DBF", [](std::string& b) { b[4] = b[5] = '\xFF'; }, "ubblk.DBF, byte"},
+    {"subblk.DBF",
+     [](std::string& b) {
+       b[10] = 1;
+       b[11] = 0;
+     },
+     "ubblk.DBF, byte 8"},
 };
 
 TEST(S7Damage, IsSaidWithFileAndPlace) {
