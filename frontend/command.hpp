@@ -78,6 +78,7 @@ struct Command {
   bool needsNoConfig = false;              ///< does its work beside a broken configuration too
   bool comparesTwo = false;                ///< options about reading may be given for one side: --cpu old:224
   std::string_view formats = {};           ///< "text|json": forms of its output, default first; empty: every Reporter
+  bool takesEachProgram = false;           ///< of a STEP 7 project with several programs it does one after the other
   Action (*setup)(ArgumentTable& table) = nullptr;
 };
 

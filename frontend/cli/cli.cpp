@@ -15,6 +15,7 @@
 #include "frontend/files/closest_word.hpp"
 #include "frontend/files/disk_file.hpp"
 #include "frontend/input/program_input.hpp"
+#include "frontend/input/project_argument.hpp"
 #include "frontend/settings/config.hpp"
 #include "frontend/text/safe_text.hpp"
 #include "frontend/watch.hpp"
@@ -70,6 +71,9 @@ std::size_t commandIndex(const std::vector<std::string>& arguments) {
 fs::path folderOf(const fs::path& file) {
   std::error_code error;
   if (fs::is_directory(file, error)) return file;
+  // A program of a project stands in its file.
+  if (const auto argument = projectArgument(file.string()); argument && !argument->program.empty())
+    return folderOf(argument->file);
   const bool isThere = fs::exists(file, error) || heldText(file.string()) != nullptr;
   return isThere && file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
@@ -239,13 +243,20 @@ int runCommand(const Command& command, std::vector<std::string> arguments, const
   }
   if (auto failure = folderFailure(line.lacking != nullptr ? settings.inputs() : line.inputs))
     return failed(streams.err, *failure);
+  const std::vector<std::string>& inputs = line.lacking != nullptr ? settings.inputs() : line.inputs;
   std::array<Settings, 2> sides{};
-  if (command.comparesTwo) {
+  if (!command.comparesTwo) {
+    if (auto failure = projectFailure(inputs, settings, command.takesEachProgram)) return failed(streams.err, *failure);
+    applyHardware(inputs, settings);
+  } else {
     sides = {settings, settings};
     for (const std::size_t i : {0U, 1U}) {
       if (auto failure = readCommandLine(line, sides[i], true, i == 0 ? "old:" : "new:"))
         return failed(streams.err, *failure);
       if (auto failure = sides[i].check()) return failed(streams.err, *failure);
+      if (i >= inputs.size()) continue;
+      if (auto failure = projectFailure({inputs[i]}, sides[i], false)) return failed(streams.err, *failure);
+      applyHardware({inputs[i]}, sides[i]);
     }
   }
 

@@ -92,6 +92,7 @@ extern constexpr Command baselineCommand = {
         "    rungproof lint --baseline known.json press.awl\n",
     .shows = option_group::Reading | option_group::Rules | option_group::Configuration,
     .formats = "json",
+    .takesEachProgram = true,
     .setup = setup,
 };
 

@@ -8,6 +8,7 @@
 #include "frontend/command.hpp"
 #include "frontend/files/json.hpp"
 #include "frontend/input/program_input.hpp"
+#include "frontend/input/project_argument.hpp"
 #include "frontend/stl/file_block.hpp"
 #include "frontend/stl/stl_likeness.hpp"
 #include "frontend/text/excerpt.hpp"
@@ -96,9 +97,9 @@ void takeSourceFaults(Checked& check) {
   }
 }
 
-Checked checked(const Context& context, const CheckArguments& arguments) {
+Checked checked(const Context& context, const CheckArguments& arguments, const std::vector<std::string>& files) {
   Checked result;
-  result.program = readInput(context, arguments.files).program;
+  result.program = readInput(context, files).program;
   // The rule of one rung a network is an editor's of the S7-200 SMART.
   const bool isOtherEditor = isStep7(result.program.target) || isIec(result.program.target);
   result.isGuessed = arguments.language.empty() && !isOtherEditor;
@@ -148,12 +149,7 @@ std::string textOf(const Checked& check, const Paint& paint, bool isQuiet) {
                                              blocks.size() - bad, bad);
 }
 
-std::string jsonOf(const Checked& check) {
-  Json json = {{"tool", "rungproof"},
-               {"version", programVersion()},
-               {"command", "check"},
-               {"language", check.isStl ? "stl" : "ladder"},
-               {"networks", Json::array()}};
+void addTo(Json& json, const Checked& check) {
   for (const NetworkVerdict& verdict : check.verdicts) {
     const Position position = check.program.sources->position(verdict.span);
     json["networks"].push_back({{"pou", check.nameOf(verdict)},
@@ -168,13 +164,19 @@ std::string jsonOf(const Checked& check) {
     json["blocks"].push_back({{"block", block.name},
                               {"valid", block.isValid},
                               {"reason", block.isValid ? Json(nullptr) : Json(block.reason)}});
-  json["notes"] = Json::array();
   for (const auto& [span, note] : check.notes) json["notes"].push_back(note);
+}
+
+std::string jsonOf(const std::vector<Checked>& checks) {
+  Json json = {{"tool", "rungproof"},       {"version", programVersion()},
+               {"command", "check"},        {"language", checks.front().isStl ? "stl" : "ladder"},
+               {"networks", Json::array()}, {"notes", Json::array()}};
+  for (const Checked& check : checks) addTo(json, check);
   return json.dump(2) + "\n";
 }
 
-Exit run(const CheckArguments& arguments, Context& context) {
-  const Checked check = checked(context, arguments);
+/// What is wrong outside of networks goes to standard error.
+Exit judge(const Checked& check, const std::string& file, Context& context) {
   // A fault outside every network, such as a file that cannot be read, leaves nothing to judge.
   const auto isOutside = [](const Finding& finding) {
     return finding.severity == Severity::Error && finding.network == 0;
@@ -189,11 +191,31 @@ Exit run(const CheckArguments& arguments, Context& context) {
            finding.help});
   }
   if (check.verdicts.empty())
-    print(context.err, {"no network was found", arguments.files.front(), "give a program, or the folder of a project"});
+    print(context.err, {"no network was found", file, "give a program, or the folder of a project"});
+  return exit;
+}
+
+Exit run(const CheckArguments& arguments, Context& context) {
+  // The programs of a project come one after the other, each below its name; all else is one program.
+  const std::vector<std::string> programs = expandProjects(arguments.files, context.settings);
+  const bool isProject = std::ranges::all_of(programs, isProjectProgram);
+  std::vector<Checked> checks;
+  Exit exit = Exit::Clean;
+  for (std::size_t i = 0; i < (isProject ? programs.size() : 1); ++i) {
+    const std::vector<std::string> files = isProject ? std::vector{programs[i]} : arguments.files;
+    checks.push_back(checked(context, arguments, files));
+    exit = worse(exit, judge(checks.back(), files.front(), context));
+  }
   for (const OutputRequest& output : context.outputs) {
-    const std::string text = output.name == "json" ? jsonOf(check)
-                                                   : textOf(check, Paint{context.color && output.file.empty()},
-                                                            context.settings.flag(Opt::Quiet));
+    std::string text;
+    if (output.name == "json") {
+      text = jsonOf(checks);
+    } else {
+      for (std::size_t i = 0; i < checks.size(); ++i) {
+        if (checks.size() > 1) text += programs[i] + "\n";
+        text += textOf(checks[i], Paint{context.color && output.file.empty()}, context.settings.flag(Opt::Quiet));
+      }
+    }
     if (!context.write(output, text)) exit = Exit::Failed;
   }
   return exit;
@@ -227,6 +249,7 @@ extern constexpr Command checkCommand = {
         "    rungproof check --language stl --format json project/\n",
     .shows = option_group::Reading | option_group::Output | option_group::Configuration,
     .formats = "text|json",
+    .takesEachProgram = true,
     .setup = setup,
 };
 

@@ -8,6 +8,7 @@
 #include "analysis/unread/hidden_blocks.hpp"
 #include "frontend/command.hpp"
 #include "frontend/input/proof_input.hpp"
+#include "frontend/input/protected_findings.hpp"
 
 namespace rungproof {
 
@@ -78,6 +79,10 @@ bool isExportable(const ProgramInput& input, const UnreadCode& unread, bool buil
 
 Exit run(const Arguments& arguments, Context& context) {
   ProgramInput input = readInput(context, arguments.files, arguments.properties);
+  if (hasHiddenCode(input.program))
+    return context.fail({"the program has know-how protected blocks, whose code is written nowhere",
+                         arguments.files.front(),
+                         "--protected contract exports the rest, with these blocks as hidden"});
   const std::set<std::string> met = keepOnly(arguments.only, input.properties);
   for (const std::string& pattern : arguments.only) {
     if (!met.contains(pattern)) return context.fail(noSuchProperty(pattern));

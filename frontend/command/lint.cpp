@@ -119,6 +119,7 @@ extern constexpr Command lintCommand = {
         "    rungproof lint --baseline known.json --format sarif=report.sarif --format human press.awl\n",
     .shows = option_group::Reading | option_group::Rules | option_group::Output | option_group::Configuration |
              option_group::Proving,
+    .takesEachProgram = true,
     .setup = setup,
 };
 

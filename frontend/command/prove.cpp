@@ -19,6 +19,7 @@
 #include "frontend/explain/certificate_head.hpp"
 #include "frontend/files/sha256.hpp"
 #include "frontend/input/proof_input.hpp"
+#include "frontend/input/protected_findings.hpp"
 #include "frontend/result_cache.hpp"
 #include "frontend/simulation/given_columns.hpp"
 #include "frontend/simulation/witness_drawing.hpp"
@@ -203,7 +204,8 @@ std::vector<PlantedFault> plantFaults(const Context& context, const Program& pro
     const Pou& pou = program.pous[result.fault.pou];
     const Network& network = pou.networks[result.fault.network];
     const Span span = network.instructions[result.fault.instruction].span;
-    faults.push_back({std::string(faultKindName(result.fault.kind)), result.fault.text,
+    const std::string text = isCodeHidden(program, pou) ? "not shown: know-how protected" : result.fault.text;
+    faults.push_back({std::string(faultKindName(result.fault.kind)), text,
                       std::string(program.sources->file(span.file).name()), program.sources->position(span).line,
                       pou.name, network.number, std::string(fateName(result.fate)), result.noticedBy, result.where});
   }
@@ -215,7 +217,8 @@ void proveInto(Report& part, const Context& context, const Settings& settings, c
                EvidenceNames& names, const Program& program, const PropertySet& properties, const UnreadCode& unread) {
   ProverOptions options = proverOptionsOf(settings, {&program});
   options.checks.builtin = arguments.builtin;
-  options.certificates = !arguments.certificates.empty();
+  // A certificate spells the program out.
+  options.certificates = !arguments.certificates.empty() && !hasHiddenCode(program);
   options.unread = &unread;
   options.cancel = &interrupted;
   const auto before = std::signal(SIGINT, onInterrupt), beforeTerm = std::signal(SIGTERM, onInterrupt);

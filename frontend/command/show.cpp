@@ -11,8 +11,8 @@
 #include "engine/instruction_recorder.hpp"
 #include "engine/stimulus.hpp"
 #include "frontend/command.hpp"
-#include "ir/iec/syntax.hpp"
 #include "frontend/input/program_input.hpp"
+#include "frontend/input/project_argument.hpp"
 #include "frontend/linting/lint_run.hpp"
 #include "frontend/picture/network_view.hpp"
 #include "frontend/simulation/stimulus_reader.hpp"
@@ -20,6 +20,7 @@
 #include "frontend/step7/source_writer.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 #include "ir/iec/cpu.hpp"
+#include "ir/iec/syntax.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/cpu.hpp"
 
@@ -33,6 +34,7 @@ struct Arguments {
   bool svg = false;
   bool ascii = false;
   bool noFindings = false;
+  bool list = false;
   std::vector<std::string> networks;
   std::vector<std::string> pous;
   std::string output;
@@ -147,6 +149,7 @@ class Show {
   Exit run() {
     readArguments();
     if (!failures_.empty()) return failAll(context_, failures_);
+    if (arguments_.list) return showTree();
     std::vector<BlockView> blocks;
     bool isWhole = true;
     for (const std::vector<std::string>& files : groupByProgram(context_, arguments_.files)) {
@@ -168,6 +171,20 @@ class Show {
   }
 
  private:
+  Exit showTree() {
+    std::string text;
+    for (const std::string& name : arguments_.files) {
+      std::vector<std::string> files = projectsIn(name);
+      if (const auto argument = files.empty() ? projectArgument(name) : std::nullopt) files.push_back(argument->file);
+      if (files.empty())
+        return context_.fail(
+            {"--list prints the tree of a STEP 7 project", name, "name a .s7p file, its folder or its archive"});
+      for (const std::string& file : files)
+        text += projectTree(*s7project::s7ProjectOf(file, *encodingNamed(context_.settings.text(Opt::Encoding))));
+    }
+    return context_.write({"", arguments_.output}, text) ? Exit::Clean : Exit::Failed;
+  }
+
   void readArguments() {
     options_.form = arguments_.form == "fbd"                               ? Form::Fbd
                     : arguments_.form == "stl" || arguments_.form == "awl" ? Form::Stl
@@ -327,6 +344,7 @@ Action setup(ArgumentTable& table) {
   table.option("-o,--output", arguments->output, "FILE", "write to this file; one that ends in .svg is SVG");
   table.option("--at", arguments->at, "TRACE:SCAN", "light the power flow of a scan of a trace (CSV)");
   table.number("--width", arguments->width, "N", "columns of a page; longer rungs are wrapped (100)", 40, 1000);
+  table.flag("--list", arguments->list, "the tree of a STEP 7 project: programs, CPUs, blocks, sources");
   table.flag("--no-findings", arguments->noFindings, "do not mark what lint finds");
   return [arguments](Context& context) { return Show(*arguments, context).run(); };
 }
@@ -350,6 +368,7 @@ extern constexpr Command showCommand = {
         "    rungproof show press.awl --at run.csv:12 --network 3\n",
     .shows = option_group::Reading | option_group::Rules | option_group::Output | option_group::Configuration,
     .formats = "text|svg",
+    .takesEachProgram = true,
     .setup = setup,
 };
 

@@ -13,6 +13,7 @@
 #include "engine/stimulus.hpp"
 #include "frontend/command.hpp"
 #include "frontend/input/program_input.hpp"
+#include "frontend/input/protected_findings.hpp"
 #include "frontend/logger/trace_import.hpp"
 #include "frontend/simulation/comparison.hpp"
 #include "frontend/simulation/expected_lanes.hpp"
@@ -205,7 +206,8 @@ class Preparation {
   }
 
   void chooseSignals(Job& job) {
-    if (arguments_.signals.empty()) job.signals = touchedSignals(program_);
+    if (arguments_.signals.empty())
+      job.signals = touchedSignals(hasHiddenCode(program_) ? withoutHiddenCode(program_) : program_);
     for (const std::string& name : arguments_.signals) {
       Failure failure;
       if (const std::optional<TraceSignal> signal = signalNamed(program_, name, failure)) {

@@ -11,6 +11,8 @@
 #include "frontend/files/closest_word.hpp"
 #include "frontend/files/json.hpp"
 #include "frontend/input/program_input.hpp"
+#include "frontend/input/project_argument.hpp"
+#include "frontend/input/protected_findings.hpp"
 #include "frontend/stl/missing_address.hpp"
 #include "frontend/text/columns.hpp"
 #include "frontend/text/excerpt.hpp"
@@ -19,6 +21,13 @@
 namespace rungproof {
 
 namespace {
+
+/// Whether only know-how protected blocks use it: that they do is not told.
+bool isOfHiddenCode(const Facts& facts, const XrefEntry& entry) {
+  return !entry.uses.empty() && std::ranges::all_of(entry.uses, [&](const Access* use) {
+    return isCodeHidden(facts.program(), facts.pouOf(use->instruction));
+  });
+}
 
 class XrefWriter {
  public:
@@ -69,7 +78,7 @@ class XrefWriter {
                   {"uses", Json::array()},
                   {"overlaps", Json::array()}};
       for (const Access* use : entry.uses) row["uses"].push_back(useJson(*use));
-      for (const std::size_t other : entry.overlaps) row["overlaps"].push_back(entryName(xref_.entries[other]));
+      for (const std::size_t other : overlapsOf(entry)) row["overlaps"].push_back(entryName(xref_.entries[other]));
       json["addresses"].push_back(std::move(row));
     }
     for (const Access* access : xref_.throughPointers) json["pointers"].push_back(useJson(*access));
@@ -83,6 +92,12 @@ class XrefWriter {
   }
 
  private:
+  std::vector<std::size_t> overlapsOf(const XrefEntry& entry) const {
+    std::vector<std::size_t> overlaps = entry.overlaps;
+    std::erase_if(overlaps, [&](std::size_t other) { return isOfHiddenCode(facts_, xref_.entries[other]); });
+    return overlaps;
+  }
+
   /// Whether an instruction writes what is shown, or something outside does.
   bool isWritten() const {
     return std::ranges::any_of(shown_, [&](std::size_t i) {
@@ -101,13 +116,20 @@ class XrefWriter {
     return access.maybe ? "read/write?" : access.write ? access.isBox ? "box" : "write" : "read";
   }
 
+  /// The instruction, unless its block shows none to anybody.
+  std::string said(const Access& access) const {
+    return isCodeHidden(facts_.program(), facts_.pouOf(access.instruction))
+               ? std::string("know-how protected")
+               : Facts::text(*facts_.place(access.instruction).instruction);
+  }
+
   TextRow useRow(const Access& access) const {
     const InstructionPlace& place = facts_.place(access.instruction);
     const Pou& pou = facts_.pouOf(access.instruction);
     const Network& network = facts_.networkOf(access.instruction);
     const SourceSet& sources = *facts_.program().sources;
     return {fmt::format("  {:<6} {}", kindOf(access), placeText(sources, place.instruction->span)),
-            fmt::format("{}, network {}: {}", pou.name, network.number, Facts::text(*place.instruction))};
+            fmt::format("{}, network {}: {}", pou.name, network.number, said(access))};
   }
 
   Json useJson(const Access& access) const {
@@ -120,7 +142,7 @@ class XrefWriter {
             {"column", position.column},
             {"pou", facts_.pouOf(access.instruction).name},
             {"network", facts_.networkOf(access.instruction).number},
-            {"instruction", Facts::text(*place.instruction)}};
+            {"instruction", said(access)}};
   }
 
   void appendEntry(std::string& text, const XrefEntry& entry, const Paint& paint) const {
@@ -133,9 +155,9 @@ class XrefWriter {
     std::vector<TextRow> rows;
     for (const Access* use : entry.uses) rows.push_back(useRow(*use));
     appendRows(text, rows, useColumn_);
-    if (!entry.overlaps.empty()) {
+    if (const std::vector<std::size_t> overlaps = overlapsOf(entry); !overlaps.empty()) {
       std::vector<std::string> names;
-      for (const std::size_t other : entry.overlaps) names.push_back(entryName(xref_.entries[other]));
+      for (const std::size_t other : overlaps) names.push_back(entryName(xref_.entries[other]));
       appendParagraph(text, fmt::format("overlaps {}", fmt::join(names, ", ")), 4);
     }
     text += '\n';
@@ -228,11 +250,9 @@ std::optional<Failure> unknownName(const std::vector<std::string>& arguments, co
                                : fmt::format("did you mean '{}'?", meant)};
 }
 
-Exit run(Context& context, std::vector<std::string> arguments) {
-  const std::optional<Operand> address = takeAddress(arguments, context);
-  if (!address) {
-    if (const auto failure = unknownName(arguments, context)) return context.fail(*failure);
-  }
+/// `heading`: above the text; empty: none.
+Exit listProgram(Context& context, const std::vector<std::string>& arguments, const std::optional<Operand>& address,
+                 const std::string& heading) {
   ProgramInput input = readInput(context, arguments);
   if (const auto missing = address ? missingFrom(input.program.target, *address) : std::nullopt)
     return context.fail({*missing, {}, "choose the CPU with --cpu"});
@@ -248,7 +268,9 @@ Exit run(Context& context, std::vector<std::string> arguments) {
     });
     shown = entriesTouching(xref, *address);
   } else {
-    for (std::size_t i = 0; i < xref.entries.size(); ++i) shown.push_back(i);
+    for (std::size_t i = 0; i < xref.entries.size(); ++i) {
+      if (!isOfHiddenCode(facts, xref.entries[i])) shown.push_back(i);
+    }
   }
   std::vector<TagReport> tags;
   if (!address) tags = tagReports(facts, retentiveRanges(input.program, context.settings.retentive()));
@@ -258,9 +280,26 @@ Exit run(Context& context, std::vector<std::string> arguments) {
     exit = worse(exit, Exit::Found);
   for (const OutputRequest& output : context.outputs) {
     const std::string text =
-        output.name == "json" ? writer.json() : writer.text(Paint{context.color && output.file.empty()});
+        output.name == "json" ? writer.json() : heading + writer.text(Paint{context.color && output.file.empty()});
     if (!context.write(output, text)) exit = Exit::Failed;
   }
+  return exit;
+}
+
+Exit run(Context& context, std::vector<std::string> arguments) {
+  const std::optional<Operand> address = takeAddress(arguments, context);
+  if (!address) {
+    if (const auto failure = unknownName(arguments, context)) return context.fail(*failure);
+  }
+  const std::vector<std::string> programs = expandProjects(arguments, context.settings);
+  if (!std::ranges::all_of(programs, isProjectProgram)) return listProgram(context, arguments, address, {});
+  const bool isJson = std::ranges::any_of(context.outputs, [](const OutputRequest& out) { return out.name == "json"; });
+  if (isJson && programs.size() > 1)
+    return context.fail({fmt::format("JSON is written of one program, and there are {}", programs.size()),
+                         arguments.front(), "name one with --program; 'rungproof show --list' lists them"});
+  Exit exit = Exit::Clean;
+  for (const std::string& program : programs)
+    exit = worse(exit, listProgram(context, {program}, address, programs.size() > 1 ? program + "\n" : ""));
   return exit;
 }
 
@@ -285,6 +324,7 @@ extern constexpr Command xrefCommand = {
         "                                                 masters, or cleared by a power failure: exit code 1\n",
     .shows = option_group::Reading | option_group::Output | option_group::Configuration,
     .formats = "text|json",
+    .takesEachProgram = true,
     .setup = setup,
 };
 

@@ -21,6 +21,7 @@ struct ReadOptions {
   std::vector<std::string> symbolFiles{};  ///< read as symbol tables whatever they look like
   std::string stdinName = "<stdin>";       ///< name of the file `-` in messages
   std::filesystem::path root{};            ///< of the project: files are named from there (nameInProject)
+  bool hidesProtected = false;             ///< STEP 7 project: know-how protected blocks count as interfaces only
 
   bool allows(const Dialect& wanted) const { return dialect == "auto" || dialect == wanted.name; }
 };

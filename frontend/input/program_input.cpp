@@ -5,13 +5,17 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <unordered_map>
 
 #include "analysis/drawing/editor_verdict.hpp"
 #include "analysis/rule.hpp"
 #include "frontend/files/file_reader.hpp"
+#include "frontend/input/project_argument.hpp"
+#include "frontend/input/protected_findings.hpp"
 #include "frontend/input/tag_list.hpp"
+#include "frontend/mc7/upload.hpp"
 #include "frontend/property/external_range.hpp"
 #include "frontend/step7/name_lookup.hpp"
 #include "frontend/step7/symbol_list.hpp"
@@ -43,6 +47,7 @@ ReadOptions readOptionsOf(const Settings& settings) {
   options.encoding = *encodingNamed(settings.text(Opt::Encoding));
   options.symbolFiles = settings.list(Opt::Symbols);
   options.root = settings.root();
+  options.hidesProtected = settings.text(Opt::Protected) == "contract";
   if (settings.isSet(Opt::StdinFilename)) options.stdinName = std::string(settings.text(Opt::StdinFilename));
   return options;
 }
@@ -165,8 +170,11 @@ std::optional<std::string> applyProjectSettings(const Settings& settings, Progra
 
 namespace {
 
-Program readFilesBy(const Context& context, const Settings& settings, const std::vector<std::string>& files) {
+Program readFilesBy(const Context& context, const Settings& given, const std::vector<std::string>& files) {
+  Settings settings = given;
+  applyHardware(files, settings);
   Program program = readProgram(expandFolders(files, settings), readOptionsOf(settings));
+  hideProtected(program, program.findings);
   guessCpu(context, settings, program);
   const std::optional<std::string> missing = applyProjectSettings(settings, program);
   if (settings.flag(Opt::Quiet)) return program;
@@ -255,7 +263,16 @@ void printUnread(const Context& context, std::string_view command, const Program
 
 namespace {
 
-bool isProgramName(std::string_view name) { return endsInAny(name, {".awl", ".stl", ".xml", ".udt", ".db"}); }
+/// Blocks out of a CPU have any ending.
+bool beginsLikeUpload(const std::string& name) {
+  std::ifstream file(name, std::ios::binary);
+  std::string head(6, '\0');
+  return file.read(head.data(), 6) && mc7::isUpload(head);
+}
+
+bool isProgramName(const std::string& name) {
+  return endsInAny(name, {".awl", ".stl", ".xml", ".udt", ".db"}) || beginsLikeUpload(name);
+}
 
 /// Whether a file beside programs is a symbol table or a data block; traces and stimuli are none.
 bool isTableOfProject(const std::string& path, bool isStep7) {
@@ -329,7 +346,7 @@ std::optional<Failure> folderFailure(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     std::error_code error;
     if (!fs::is_directory(name, error)) continue;
-    bool holdsProgram = false;
+    bool holdsProgram = !projectsIn(name).empty();
     for (fs::recursive_directory_iterator entry(name, fs::directory_options::skip_permission_denied, error), end;
          !error && entry != end && !holdsProgram; entry.increment(error))
       holdsProgram = isProgramName(entry->path().string()) && entry->is_regular_file(error);
@@ -358,7 +375,8 @@ Failure noSuchProperty(const std::string& pattern) {
   return {fmt::format("no property is called '{}'", pattern), {}, "--only takes the names of properties"};
 }
 
-std::vector<std::string> expandFolders(const std::vector<std::string>& names, const Settings& settings) {
+std::vector<std::string> expandFolders(const std::vector<std::string>& given, const Settings& settings) {
+  const std::vector<std::string> names = expandProjects(given, settings);
   std::vector<std::string> files = expandFolders(names);
   std::erase_if(files, [&](const std::string& file) {
     if (std::ranges::find(names, file) != names.end()) return false;
@@ -369,7 +387,18 @@ std::vector<std::string> expandFolders(const std::vector<std::string>& names, co
   return files;
 }
 
-std::vector<std::vector<std::string>> groupByProgram(const Context& context, const std::vector<std::string>& files) {
+std::vector<std::vector<std::string>> groupByProgram(const Context& context, const std::vector<std::string>& given) {
+  std::vector<std::vector<std::string>> ofProjects;
+  std::vector<std::string> files = expandProjects(given, context.settings);
+  std::erase_if(files, [&](const std::string& file) {
+    if (!isProjectProgram(file)) return false;
+    ofProjects.push_back({file});
+    return true;
+  });
+  if (!ofProjects.empty()) {
+    if (!files.empty()) std::ranges::move(groupByProgram(context, files), std::back_inserter(ofProjects));
+    return ofProjects;
+  }
   if (files.size() < 2 || std::find(files.begin(), files.end(), "-") != files.end()) return {files};
   ReadOptions options = readOptionsOf(context.settings);
   options.symbolFiles.clear();

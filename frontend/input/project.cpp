@@ -11,6 +11,9 @@
 #include "frontend/graphical/drawn_build.hpp"
 #include "frontend/iec/iec_lowering.hpp"
 #include "frontend/input/foreign_family.hpp"
+#include "frontend/input/project_argument.hpp"
+#include "frontend/input/stored_reader.hpp"
+#include "frontend/mc7/upload.hpp"
 #include "frontend/step7/step7_likeness.hpp"
 #include "frontend/step7/step7_project.hpp"
 #include "frontend/step7/symbol_list.hpp"
@@ -40,9 +43,12 @@ class ProjectReader {
   }
 
   void addFile(const std::string& path, bool isSymbolFile) {
+    if (const auto argument = isSymbolFile ? std::nullopt : projectArgument(path))
+      return addProject(*argument, nameInProject(path, options_.root));
     const std::string name = path == "-" ? options_.stdinName : nameInProject(path, options_.root);
     if (const HeldText* held = heldText(path)) return addText(name, *held, isSymbolFile);
     const InputBytes input = inputBytes(path, longestProgram);
+    if (input.bytes && mc7::isUpload(*input.bytes)) return uploads_.push_back(mc7::readUpload(*input.bytes, name));
     if (input.bytes) return addText(name, *input.bytes, isSymbolFile);
     const std::uint32_t file = program_.sources->add(name, "");
     SyntaxSink(program_, file)
@@ -91,6 +97,7 @@ class ProjectReader {
   }
 
   Program finish() {
+    stored_.addUploads(uploads_, options_.hidesProtected);
     readWaiting();
     const bool isStep7 = step7_.hasBlocks();
     buildDrawnProject(program_, drawn_);
@@ -122,6 +129,11 @@ class ProjectReader {
   }
 
  private:
+  void addProject(const ProjectArgument& argument, const std::string& name) {
+    const auto project = s7project::s7ProjectOf(argument.file, options_.encoding);
+    stored_.addProgram(*project, argument.program, name, options_.hidesProtected);
+  }
+
   bool hasUnreadNetworks() const {
     return std::ranges::any_of(program_.pous, [](const Pou& pou) {
       return std::ranges::any_of(pou.networks, [](const Network& network) { return !network.complete; });
@@ -283,6 +295,8 @@ class ProjectReader {
   iec::ProjectSyntax iec_;
   iec::ProjectSyntax drawnAsIec_;
   Program programAsIec_;
+  StoredReader stored_{program_, step7_};
+  std::vector<mc7::StoredBlock> uploads_;
   std::vector<InputText> waiting_;  ///< tables and drawings
   std::vector<HeadlessBlock> headless_;
 };

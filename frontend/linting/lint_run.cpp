@@ -14,6 +14,7 @@
 #include "analysis/lint/suppress.hpp"
 #include "analysis/unread/idle_blocks.hpp"
 #include "frontend/input/proof_input.hpp"
+#include "frontend/input/protected_findings.hpp"
 #include "frontend/linting/baseline.hpp"
 #include "frontend/linting/solver_rules.hpp"
 #include "frontend/settings/code_list.hpp"
@@ -128,6 +129,7 @@ Report lintProgram(const Settings& settings, const ProgramInput& given, const st
   }
   const PlaceIndex places(program);
   for (Finding& finding : report.findings) places.complete(finding);
+  hideProtected(program, report.findings);
   applySeverities(settings, report);
   ignoreInFiles(settings, report);
 

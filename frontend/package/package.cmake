@@ -34,6 +34,6 @@ if(SHLIBDEPS)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 else()  # as it gives them on Debian 12
   set(CPACK_DEBIAN_PACKAGE_DEPENDS
-    "libc6 (>= 2.36), libfmt9 (>= 9.1.0), libgcc-s1, libicu72 (>= 72.1), libmimalloc2.0, libpugixml1v5 (>= 1.4), libstdc++6 (>= 12), libz3-4")
+    "libc6 (>= 2.36), libfmt9 (>= 9.1.0), libgcc-s1, libicu72 (>= 72.1), libmimalloc2.0, libpugixml1v5 (>= 1.4), libstdc++6 (>= 12), libz3-4, zlib1g")
 endif()
 include(CPack)

@@ -13,6 +13,7 @@
 #include "frontend/step7/source_writer.hpp"
 #include "frontend/stl/stl_writer.hpp"
 #include "frontend/text/excerpt.hpp"
+#include "ir/s7300/declarations.hpp"
 
 namespace rungproof {
 
@@ -181,6 +182,12 @@ Raised drawingOf(const Network& network, const ViewOptions& options, const Targe
 NetworkView networkView(const Program& program, const Pou& pou, const Network& network, const ViewOptions& options) {
   NetworkView view;
   view.heading = fmt::format("Network {}", network.number);
+  if (program.declarations != nullptr && program.declarations->protectedBlocks.contains(pou.number)) {
+    for (const Finding* finding : findingsIn(options.findings, network.span))
+      view.notes.push_back({finding->severity, fmt::format("{}: {}", finding->rule, finding->message)});
+    view.statements = {"know-how protected: not shown"};
+    return view;
+  }
   if (!network.title.empty()) view.heading += "  " + network.title;
   for (const Comment& comment : network.comments) {
     std::string text = commentText(program.sources->text(comment.span));

@@ -47,6 +47,8 @@ constexpr std::array table = {
     OptionInfo{Opt::Tags, Reading, Arity::List, "tags", "FILE", "", "tag list of an operator panel (CSV: name, address, type, access); what it does not mark as read-only counts as external"},
     OptionInfo{Opt::External, Reading, Arity::List, "external", "RANGE", "", "what a panel or a network writes in any scan, as VW100 or VB100..VB199"},
     OptionInfo{Opt::Exclude, Reading, Arity::List, "exclude", "PATTERN", "", "files that a folder does not stand for, by their name in the project, such as old/*"},
+    OptionInfo{Opt::Program, Reading, Arity::One, "program", "NAME", "", "STEP 7 project: the program that is meant, by its name or the end of its path; 'show --list' lists them"},
+    OptionInfo{Opt::Protected, Reading, Arity::One, "protected", "analysed|contract", "analysed", "STEP 7 project: whether the code of know-how protected blocks is run and analysed, or taken as hidden; it is never printed"},
     OptionInfo{Opt::StdinFilename, Reading, Arity::One, "stdin-filename", "NAME", "", "name for standard input, which is read where FILE is '-'", false},
     OptionInfo{Opt::Retentive, Running, Arity::List, "retentive", "RANGE", "", "what keeps its value without power, as VB0..VB99, MB0..MB13, T0..T31, C0..C255 or DB10.DBB0..DBB19 (S7-200: all of V, MB14..MB31, T0..T31, T64..T95, C0..C255; S7-200 SMART: nothing; S7-300/400: MB0..MB15, C0..C7, data blocks without NON_RETAIN)"},
     OptionInfo{Opt::LibraryMemory, Running, Arity::List, "library-memory", "RANGE", "", "V memory of the libraries, as VB1000..VB1285, or of one block, as RCP0_READ=VB100..VB119"},

@@ -33,6 +33,8 @@ enum class Opt : std::uint8_t {
   Tags,
   External,
   Exclude,
+  Program,
+  Protected,
   StdinFilename,
   Retentive,
   LibraryMemory,

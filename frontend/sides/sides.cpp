@@ -220,8 +220,8 @@ void SideArguments::declare(ArgumentTable& table) {
 
 Sides readSides(const Context& context, const SideArguments& arguments, std::vector<Failure>& failures) {
   Sides sides;
-  sides.filesBefore = expandFolders({arguments.before});
-  sides.filesAfter = expandFolders({arguments.after});
+  sides.filesBefore = expandFolders({arguments.before}, context.side(ProgramSide::Old));
+  sides.filesAfter = expandFolders({arguments.after}, context.side(ProgramSide::New));
   for (const std::string& text : arguments.with) {
     if (text.starts_with(oldPrefix))
       sides.filesBefore.push_back(text.substr(oldPrefix.size()));

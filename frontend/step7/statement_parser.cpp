@@ -139,8 +139,16 @@ class StatementParser {
     cursor_.skipBlanks();
     const std::size_t close = cursor_.peek() == '{' ? cursor_.text().find('}', cursor_.at()) : std::string_view::npos;
     if (close == std::string_view::npos || close >= cursor_.lineEnd()) return;
-    cursor_.to(static_cast<std::uint32_t>(close) + 1);
     statement_.hasArguments = true;
+    cursor_.skip(1);
+    for (cursor_.skipBlanks(); cursor_.peek() != '}'; cursor_.skipBlanks()) {
+      OperandOutcome outcome = readOperand7(cursor_, spelling_);
+      if (!outcome.fault.empty() || outcome.operand.form == OperandForm::None) break;
+      statement_.pointers.push_back(std::move(outcome.operand));
+      cursor_.skipBlanks();
+      cursor_.take(',');
+    }
+    cursor_.to(static_cast<std::uint32_t>(close) + 1);
   }
 
   /// The end of what an operand that cannot be read seems to be.

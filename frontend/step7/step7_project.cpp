@@ -147,27 +147,35 @@ class ProjectBuilder {
 
   void readFiles(const Step7Project& project) {
     std::vector<std::string_view> texts;
-    for (const PendingFile& file : project.sources) texts.push_back(program_.sources->file(file.file).text());
-    const MnemonicVote vote(texts, options_.mnemonics);
+    std::vector<std::string_view> open;  // those whose mnemonics are not known beforehand
+    for (const PendingFile& file : project.sources) {
+      texts.push_back(file.hidden ? std::string_view(*file.hidden) : program_.sources->file(file.file).text());
+      open.push_back(file.set ? std::string_view() : texts.back());
+    }
+    const MnemonicVote vote(open, options_.mnemonics);
     for (std::size_t i = 0; i < project.sources.size(); ++i) {
       const PendingFile& pending = project.sources[i];
       SyntaxSink sink(program_, pending.file);
-      if (vote.isTied(i)) {
+      if (!pending.set && vote.isTied(i)) {
         sink.report(Syntax::FamilyUndecided, {pending.file, 0, 0},
                     fmt::format("{} has as many international mnemonics as German ones: --mnemonics international or "
                                 "german says which they are",
                                 program_.sources->file(pending.file).name()));
         continue;
       }
-      sets_[pending.file] = vote.of(i);
-      sources_.push_back(readSource(texts[i], {vote.of(i), pending.encoding}, sink));
-      checkSource(sources_.back(), texts[i], declarations_->sourceFaults);
+      const MnemonicSet set = pending.set.value_or(vote.of(i));
+      sets_[pending.file] = set;
+      if (pending.hidden) hidden_.insert(pending.file);
+      sources_.push_back(readSource(texts[i], {set, pending.encoding}, sink));
+      const bool isText = !pending.set.has_value();  // and not statements that were decoded
+      if (isText) checkSource(sources_.back(), texts[i], declarations_->sourceFaults);
     }
     for (const PendingFile& pending : project.tables) {
       SyntaxSink sink(program_, pending.file);
       const std::string_view text = program_.sources->file(pending.file).text();
-      std::vector<SymbolRow> rows = looksLikeXml(text) ? readTagTable(program_.sources->file(pending.file), sink)
-                                                       : readSymbolList(text, setOfTable(text, vote.ofProject()), sink);
+      std::vector<SymbolRow> rows =
+          looksLikeXml(text) ? readTagTable(program_.sources->file(pending.file), sink)
+                             : readSymbolList(text, pending.set.value_or(setOfTable(text, vote.ofProject())), sink);
       std::ranges::move(rows, std::back_inserter(symbols_));
     }
     sources_.insert(sources_.end(), project.drawn.begin(), project.drawn.end());
@@ -309,8 +317,11 @@ class ProjectBuilder {
     if (entry.key.kind == BlockKind::Ob) local = std::max(local, startInformationBytes);
     pou.localBytes = local + (local & 1U);
     const int pouIndex = static_cast<int>(program_.pous.size());
-    for (const DirectiveSyntax& directive : syntax.directives)
-      program_.directives.push_back({directive.text, directive.span, pouIndex, directive.network});
+    const bool isHidden = hidden_.contains(syntax.heading.file);
+    if (isHidden) declarations_->protectedBlocks.insert(pou.number);
+    for (const DirectiveSyntax& directive : syntax.directives) {
+      if (!isHidden) program_.directives.push_back({directive.text, directive.span, pouIndex, directive.network});
+    }
     declarations_->parameters[pou.number] = scope.parameters;
     declarations_->temporary[pou.number] = scope.temporary;
     program_.pous.push_back(std::move(pou));
@@ -430,6 +441,7 @@ class ProjectBuilder {
   Reports reports_;
   std::vector<SourceSyntax> sources_;
   std::map<std::uint32_t, MnemonicSet> sets_;  ///< by file
+  std::set<std::uint32_t> hidden_;             ///< files whose statements are shown to nobody
   std::vector<SymbolRow> symbols_;
   std::vector<std::unique_ptr<SourceSyntax>> librarySources_;
   std::optional<BlockCatalogue> catalogue_;

@@ -2,6 +2,9 @@
 // make together, in whatever order they came. Tested by tests/step7/project_test.cpp.
 #pragma once
 
+#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "frontend/files/file_reader.hpp"
@@ -15,6 +18,8 @@ namespace rungproof::step7 {
 struct PendingFile {
   std::uint32_t file = 0;
   TextEncoding encoding = TextEncoding::Utf8;
+  std::optional<MnemonicSet> set{};             ///< known beforehand; nothing: the texts tell
+  std::shared_ptr<const std::string> hidden{};  ///< what is read in place of the text of the file, and shown to nobody
 };
 
 struct Step7Project {

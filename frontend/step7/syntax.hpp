@@ -87,8 +87,9 @@ struct Statement {
   Operand operand;
   Operand instance;  ///< of a call: DB 3, "InstDb", #instance
   std::vector<Argument> arguments;
-  bool hasArguments = false;  ///< a parameter list stands there, may be empty
-  std::string fault;          ///< why it cannot be read; empty: it can
+  bool hasArguments = false;      ///< a parameter list stands there, may be empty
+  std::vector<Operand> pointers;  ///< UC, CC: what stands in braces
+  std::string fault;              ///< why it cannot be read; empty: it can
   Span faultSpan;
   Span span;  ///< label through end
 };

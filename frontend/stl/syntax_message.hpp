@@ -70,6 +70,9 @@ enum class Syntax : std::uint8_t {
   IecNoProgram,
   ReadAsIec,
   IecSpelling,
+  ProjectLost,
+  ProjectDamaged,
+  TimeStampConflict,
   count
 };
 
@@ -195,6 +198,12 @@ inline constexpr std::array<SyntaxMessage, static_cast<std::size_t>(Syntax::coun
      "--dialect iec says so beforehand; --dialect s7-200 reads it as an S7-200 program and names what does not fit"},
     {Syntax::IecSpelling, "SYN062", "Spelling that compilers of IEC 61131-3 refuse", Severity::Warning,
      "it is read as it is meant; correct it before the program is compiled"},
+    {Syntax::ProjectLost, "SYN070", "Blocks of a STEP 7 project are lost", Severity::Error,
+     "the table of blocks is damaged: copy the project again, or open and reorganize it with STEP 7"},
+    {Syntax::ProjectDamaged, "SYN071", "Part of a STEP 7 project or upload cannot be read", Severity::Warning,
+     "the rest was read; a block without readable code counts as an interface, and what depends on it is not covered"},
+    {Syntax::TimeStampConflict, "SYN072", "Caller knows another interface of the block", Severity::Warning,
+     "STEP 7 calls it a time stamp conflict: open the caller, update the call, save and download it"},
 }};
 
 constexpr const SyntaxMessage& syntaxMessage(Syntax code) { return syntaxMessages[static_cast<std::size_t>(code)]; }

@@ -46,6 +46,8 @@ struct Declarations {
   /// Data blocks that calls name as their instance and no file holds: taken with the start values of the called block.
   std::vector<std::string> absentInstances;
   std::vector<SourceFault> sourceFaults;  ///< in the order of the texts
+  /// Blocks that run and whose statements are shown to nobody, by Pou::number.
+  std::set<int> protectedBlocks;
   /// Findings that leave open no more than that and the networks that are not complete: file and first byte.
   std::set<std::pair<std::uint32_t, std::uint32_t>> bounded;
 

@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "frontend/input/stored_reader.hpp"
 #include "frontend/step7/symbol_list.hpp"
 #include "tests/reader/read.hpp"
 
@@ -87,6 +88,20 @@ TEST(SyntaxMessages, EveryMessageOccurs) {
   SyntaxSink sink(symbols, symbols.sources->add("x.asc", "126,Stop                   I       0.1 BOOL      \n"));
   step7::readSymbolList(symbols.sources->file(sink.file()).text(), step7::MnemonicSet::International, sink);
   collect(symbols);
+  // A block of a project whose code is none, and a caller that knows another interface of it.
+  s7project::S7Project stored;
+  stored.faults.push_back({"", "a table is damaged", true});
+  mc7::StoredBlock damaged, caller;
+  damaged.key = {step7::BlockKind::Fc, 1};
+  damaged.code = "\x6B\xFF";
+  damaged.interfaceTime = 2;
+  caller.key = {step7::BlockKind::Ob, 1};
+  caller.used = {{damaged.key, 1}};
+  stored.programs.emplace_back().blocks = {damaged, caller};
+  Program program;
+  step7::Step7Project sources;
+  StoredReader(program, sources).addProgram(stored, "", "Plant.s7p", false);
+  collect(program);
   for (const SyntaxMessage& row : syntaxMessages)
     EXPECT_TRUE(seen.count(std::string(row.id)) > 0) << row.id << ' ' << row.title;
 }

@@ -1,0 +1,122 @@
+// Sources of stored blocks.
+#include "frontend/input/stored_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "frontend/stl/syntax_sink.hpp"
+
+namespace rungproof {
+
+namespace {
+
+using mc7::StoredBlock;
+using step7::MnemonicSet;
+
+TextEncoding encodingOfPage(unsigned page) {
+  return page == 65001  ? TextEncoding::Utf8
+         : page == 1251 ? TextEncoding::Cp1251
+         : page == 936  ? TextEncoding::Gb18030
+                        : TextEncoding::Cp1252;
+}
+
+/// A row of an .sdf table: fields padded with blanks.
+std::string symbolRow(const s7project::Symbol& symbol) {
+  const auto plain = [](std::string text) {
+    std::ranges::replace_if(
+        text, [](char c) { return c == '"' || static_cast<unsigned char>(c) < 0x20; }, ' ');
+    return text;
+  };
+  return fmt::format("\"{:<24}\",\"{:<12}\",\"{:<10}\",\"{}\"\n", plain(symbol.name), plain(symbol.address),
+                     plain(symbol.type), plain(symbol.comment));
+}
+
+}  // namespace
+
+void StoredReader::addProgram(const s7project::S7Project& project, std::string_view path, const std::string& name,
+                              bool hidesProtected) {
+  const std::uint32_t file = program_.sources->add(project.file, "");
+  SyntaxSink sink(program_, file);
+  if (project.failure) return sink.report(Syntax::FileUnreadable, {file, 0, 0}, project.failure->message);
+  for (const s7project::ProjectFault& fault : project.faults) {
+    if (fault.program.empty() || fault.program == path)
+      sink.report(fault.isLoss ? Syntax::ProjectLost : Syntax::ProjectDamaged, {file, 0, 0}, fault.text);
+  }
+  const auto isMeant = [&](const s7project::ProjectProgram& program) {
+    return path.empty() ? !program.blocks.empty() : program.path == path;
+  };
+  const auto program = std::ranges::find_if(project.programs, isMeant);
+  if (program == project.programs.end())
+    return sink.report(Syntax::FileUnreadable, {file, 0, 0}, fmt::format("{} has no program {}", project.file, path));
+  if (path.empty() && std::ranges::count_if(project.programs, isMeant) > 1)
+    return sink.report(Syntax::FileUnreadable, {file, 0, 0},
+                       fmt::format("{} has several programs: name one with --program", project.file));
+  std::vector<std::string> names;
+  for (const StoredBlock& block : program->blocks) names.push_back(fmt::format("{}/{}", name, toString(block.key)));
+  const TextEncoding encoding = encodingOfPage(project.codePage);
+  addBlocks(program->blocks, names, encoding, hidesProtected);
+  addSymbols(program->symbols, name, encoding);
+}
+
+void StoredReader::addUploads(const std::vector<StoredBlock>& blocks, bool hidesProtected) {
+  if (blocks.empty()) return;
+  std::vector<std::string> names;
+  for (const StoredBlock& block : blocks) names.push_back(block.place);
+  addBlocks(blocks, names, TextEncoding::Cp1252, hidesProtected);
+}
+
+void StoredReader::addBlocks(const std::vector<StoredBlock>& blocks, const std::vector<std::string>& names,
+                             TextEncoding encoding, bool hidesProtected) {
+  const std::vector<mc7::BlockSource> sources = mc7::sourcesOf(blocks, hidesProtected);
+  std::vector<std::uint32_t> files(blocks.size());
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (next == sources.size() || sources[next].key != blocks[i].key) continue;
+    const mc7::BlockSource& source = sources[next++];
+    const bool isHidden = !source.shown.empty();
+    const std::uint32_t file = files[i] = program_.sources->add(names[i], isHidden ? source.shown : source.text);
+    step7::PendingFile& pending = step7_.sources.emplace_back();
+    pending = {file, encoding, MnemonicSet::International, {}};
+    if (isHidden) pending.hidden = std::make_shared<const std::string>(source.text);
+    if (!source.damage.empty()) reportDamage(blocks[i], source, file);
+  }
+  reportConflicts(blocks, files);
+}
+
+void StoredReader::addSymbols(const std::vector<s7project::Symbol>& symbols, const std::string& name,
+                              TextEncoding encoding) {
+  if (symbols.empty()) return;
+  std::string text;
+  for (const s7project::Symbol& symbol : symbols) text += symbolRow(symbol);
+  const std::uint32_t file = program_.sources->add(name + "/Symbols", std::move(text));
+  step7_.tables.push_back({file, encoding, MnemonicSet::International, {}});
+}
+
+void StoredReader::reportDamage(const StoredBlock& block, const mc7::BlockSource& source, std::uint32_t file) {
+  SyntaxSink sink(program_, file);
+  sink.setPlace(toString(block.key), 0);
+  sink.report(Syntax::ProjectDamaged, {file, 0, 1},
+              fmt::format("{} is not read: {} ({})", toString(block.key), source.damage, block.place));
+}
+
+/// Callers keep the time stamp that the interface of a block had when they were compiled.
+void StoredReader::reportConflicts(const std::vector<StoredBlock>& blocks, const std::vector<std::uint32_t>& files) {
+  std::map<step7::BlockKey, mc7::TimeStamp> stamps;
+  for (const StoredBlock& block : blocks) stamps[block.key] = block.interfaceTime;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    for (const mc7::UsedBlock& used : blocks[i].used) {
+      const auto known = stamps.find(used.key);
+      if (known == stamps.end() || known->second == 0 || used.interface == 0 || known->second == used.interface)
+        continue;
+      SyntaxSink sink(program_, files[i]);
+      sink.setPlace(toString(blocks[i].key), 0);
+      sink.report(Syntax::TimeStampConflict, {files[i], 0, 1},
+                  fmt::format("{} was compiled with another interface of {} than the project has",
+                              toString(blocks[i].key), toString(used.key)));
+    }
+  }
+}
+
+}  // namespace rungproof

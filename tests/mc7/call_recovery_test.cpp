@@ -1,0 +1,112 @@
+// Calls out of their frames: shapes of the compiler become CALL, all else stays as it is.
+#include <gtest/gtest.h>
+
+#include "frontend/mc7/block_source.hpp"
+#include "tests/mc7/code_round.hpp"
+
+namespace rungproof {
+namespace {
+
+using mc7::StoredBlock;
+using step7::BlockKind;
+
+/// Statements, one a line, as one network.
+StoredBlock blockOf(step7::BlockKey key, const std::string& declaration, const std::vector<std::string>& statements) {
+  StoredBlock block;
+  block.key = key;
+  block.declarationText = declaration;
+  std::vector<step7::Statement> read;
+  std::vector<std::unique_ptr<std::string>> kept;
+  for (const std::string& text : statements) {
+    const std::string& one = *kept.emplace_back(std::make_unique<std::string>(text + " ;"));
+    step7::Cursor cursor(one, 0);
+    std::vector<Span> remarks;
+    read.push_back(step7::readStatement(cursor, {step7::MnemonicSet::International, TextEncoding::Utf8}, remarks));
+  }
+  const mc7::AssembledCode code = mc7::assemble(read, {});
+  EXPECT_EQ(code.fault, "");
+  block.code = code.bytes + std::string("\x65\0", 2);
+  return block;
+}
+
+const char* const pumpInterface =
+    "VAR_INPUT\n On : BOOL ;\n Speed : INT ;\nEND_VAR\nVAR_OUTPUT\n Runs : BOOL ;\nEND_VAR\nVAR\n N : INT ;\nEND_VAR\n";
+
+/// The text of the last block.
+std::string textBeside(StoredBlock caller) {
+  const std::vector<StoredBlock> blocks = {
+      blockOf({BlockKind::Fb, 5}, pumpInterface, {}),
+      blockOf({BlockKind::Fc, 7}, "VAR_INPUT\n A : BOOL ;\n B : INT ;\nEND_VAR\nVAR_OUTPUT\n C : INT ;\nEND_VAR\n", {}),
+      blockOf({BlockKind::Fc, 8}, "VAR_INPUT\n P : ANY ;\n T : TIMER ;\nEND_VAR\n", {}), std::move(caller)};
+  return mc7::sourcesOf(blocks, false).back().text;
+}
+
+void expectHas(const std::string& text, std::string_view part) {
+  EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+void expectLacks(const std::string& text, std::string_view part) {
+  EXPECT_EQ(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+const step7::BlockKey main{BlockKind::Ob, 1};
+
+TEST(Mc7Calls, FunctionWithCopies) {
+  const std::string text =
+      textBeside(blockOf(main, "",
+                         {"BLD 1", "= L 20.0", "OPN DB 3", "A DBX 1.2", "= L 20.1", "L 5", "T LW 22",
+                          "UC FC 7 {P#V 20.1, P#V 22.0, P#V 24.0}", "L LW 24", "OPN DB 4", "T DBW 6", "BLD 2"}));
+  expectHas(text, "CALL  FC 7 (A := DB3.DBX 1.2, B := 5, C := DB4.DBW 6) ;");
+  expectLacks(text, "BLD");
+  expectLacks(text, "L 20.0");
+}
+
+// The bit saved behind the first BLD is read later: the statement stays.
+TEST(Mc7Calls, SavedBitThatIsReadStays) {
+  const std::string text = textBeside(
+      blockOf(main, "", {"BLD 1", "= L 20.0", "UC FC 7 {P#I 0.0, P#M 2.0, P#M 4.0}", "BLD 2", "A L 20.0", "= Q 0.0"}));
+  expectHas(text, "=     L 20.0 ;");
+  expectHas(text, "CALL  FC 7 (A := I 0.0, B := MW 2, C := MW 4) ;");
+}
+
+TEST(Mc7Calls, AnyAndTimer) {
+  const std::string text =
+      textBeside(blockOf(main, "",
+                         {"BLD 1", "= L 20.0", "L W#16#1002", "T LW 22", "L 10", "T LW 24", "L 9", "T LW 26",
+                          "L P#DBX 4.0", "T LD 28", "UC FC 8 {P#V 22.0, DW#16#50000}", "BLD 2"}));
+  expectHas(text, "CALL  FC 8 (P := P#DB9.DBX 4.0 BYTE 10, T := T 5) ;");
+}
+
+TEST(Mc7Calls, InstanceBlock) {
+  const std::string text = textBeside(blockOf(
+      main, "",
+      {"BLD 3", "= L 20.0", "CDB", "OPN DI 30", "TAR2 LD 22", "A I 0.1", "= DIX 0.0", "OPN DI 12", "L DIW 8",
+       "OPN DI 30", "T DIW 2", "LAR2 P#DBX 0.0", "UC FB 5", "LAR2 LD 22", "A DIX 4.0", "= Q 0.1", "CDB", "BLD 4"}));
+  expectHas(text, "CALL  FB 5, DB30 (On := I 0.1, Speed := DB12.DBW 8, Runs := Q 0.1) ;");
+}
+
+// A parameter that the call leaves out is left out.
+TEST(Mc7Calls, MultiInstance) {
+  const std::string text = textBeside(
+      blockOf({BlockKind::Fb, 6}, "VAR_INPUT\n Go : BOOL ;\nEND_VAR\nVAR\n Pump : FB 5 ;\nEND_VAR\n",
+              {"BLD 14", "= L 0.0", "L DINO", "T LW 2", "CDB", "OPN DI [LW 2]", "TAR2 LD 4", "A DBX [AR2,P#0.0]",
+               "= DIX [AR2,P#2.0]", "+AR2 P#2.0", "UC FB 5", "LAR2 LD 4", "CDB", "BLD 15"}));
+  expectHas(text, "CALL  #Pump (On := #Go) ;");
+}
+
+// One statement more than the compiler writes: nothing is taken for a call, and the list alone is read.
+TEST(Mc7Calls, OtherStatementsStay) {
+  const std::string text = textBeside(blockOf(
+      main, "", {"BLD 1", "= L 20.0", "L 5", "INC 1", "T LW 22", "UC FC 7 {P#I 0.0, P#V 22.0, P#M 4.0}", "BLD 2"}));
+  for (const char* part :
+       {"BLD   1", "=     L 20.0", "INC   1", "CALL  FC 7 (A := I 0.0, B := LW 22, C := MW 4)", "BLD   2"})
+    expectHas(text, part);
+}
+
+// A callee that nobody knows keeps its list.
+TEST(Mc7Calls, UnknownCalleeKeepsItsList) {
+  const std::string text = textBeside(blockOf(main, "", {"BLD 1", "= L 20.0", "UC FC 99 {P#I 0.0}", "BLD 2"}));
+  expectHas(text, "UC    FC 99 {P#I 0.0}");
+}
+
+}  // namespace
+}  // namespace rungproof

@@ -1,0 +1,156 @@
+// A written project of 20 blocks, with more deleted rows than live ones, is read, shown, linted, run and proved.
+#include <gtest/gtest.h>
+
+#include "frontend/s7project/s7_project.hpp"
+#include "tests/s7project/plant.hpp"
+
+namespace rungproof {
+namespace {
+
+using test::runWith;
+using test::TemporaryFolder;
+
+std::string plantIn(const TemporaryFolder& folder, unsigned page = 1252) {
+  return writeFiles(folder, test::writeProject({test::plantPart()}, page));
+}
+
+TEST(S7Project, SourceOfThePlantCompiles) { EXPECT_EQ(test::compileSource(test::plantSource()).fault, ""); }
+
+TEST(S7Project, LiveRowsOnlyCount) {
+  const TemporaryFolder folder;
+  const s7project::S7Project project = s7project::readS7Project(plantIn(folder), TextEncoding::Auto);
+  ASSERT_FALSE(project.failure);
+  for (const s7project::ProjectFault& fault : project.faults) ADD_FAILURE() << fault.text;
+  ASSERT_EQ(project.programs.size(), 1U);
+  const s7project::ProjectProgram& program = project.programs[0];
+  EXPECT_EQ(program.blocks.size(), 20U);
+  EXPECT_EQ(program.symbols.size(), 2U);
+  EXPECT_EQ(program.path, "SIMATIC 300(1)/CPU 315-2 DP/S7 Program(1)");
+  ASSERT_TRUE(program.cpu);
+  EXPECT_EQ(program.cpu->orderNumber, "6ES7 315-2AG10-0AB0");
+  EXPECT_EQ(program.cpu->type, "315-2");
+}
+
+TEST(S7Project, TreeNamesBlocksWithTheirCounts) {
+  const TemporaryFolder folder;
+  const test::Run run = runWith({"show", "--isolated", "--list", plantIn(folder)});
+  EXPECT_EQ(run.exit, 0) << run.err;
+  EXPECT_TRUE(run.says("20 blocks, 2 symbols")) << run.out;
+  // Six statements and the closing BE; nine of FC 2 and BE; FC 3 in two networks.
+  EXPECT_TRUE(run.says("FC1  STL  1 network, 7 instructions")) << run.out;
+  EXPECT_TRUE(run.says("FC2  STL  1 network, 10 instructions")) << run.out;
+  EXPECT_TRUE(run.says("FC3  STL  2 networks, 5 instructions, protected")) << run.out;
+}
+
+TEST(S7Project, ShowsCallsAndNamesAsTheyWereWritten) {
+  const TemporaryFolder folder;
+  const test::Run run = runWith({"show", "--isolated", "--as", "stl", "--no-findings", plantIn(folder)});
+  EXPECT_EQ(run.exit, 0) << run.err;
+  for (const char* text :
+       {"FC1", "O      #Start", "JC     ok", "ok:", "CALL   FC 1 (Start := I0.0, Stop := I0.1, Motor := Q0.0)",
+        "Limit := DB10.DBW0", "CALL   FB 21, DB 21 (In := I0.2, Out := Q0.2)", "Network 1  Self holding", "OB1  Main"})
+    EXPECT_TRUE(run.says(text)) << text << "\n" << run.out << run.err;
+}
+
+TEST(S7Project, LintSaysNothingOfReading) {
+  const TemporaryFolder folder;
+  const test::Run run = runWith({"lint", "--isolated", "--format", "concise", plantIn(folder)});
+  EXPECT_NE(run.exit, 2) << run.out << run.err;
+  EXPECT_FALSE(run.says("SYN")) << run.out;
+}
+
+TEST(S7Project, ProvesAndRuns) {
+  const TemporaryFolder folder;
+  const std::string project = plantIn(folder);
+  const std::string properties =
+      folder.file("p.props", "prove stop: I0.1 implies not Q0.0\nreach on: Q0.0\nprove value: DB10.DBW0 == 12\n");
+  const test::Run run = runWith({"prove", "--isolated", "--props", properties, project});
+  EXPECT_EQ(run.exit, 0) << run.out << run.err;
+  EXPECT_TRUE(run.says("PROVED")) << run.out;
+  EXPECT_TRUE(run.says("REACHABLE")) << run.out;
+}
+
+// The folder, and the archive that STEP 7 makes, are the same project.
+TEST(S7Project, FolderAndArchiveAreTheSame) {
+  const TemporaryFolder folder;
+  const std::string project = plantIn(folder);
+  const std::string archive =
+      folder.file("plant.zip", test::zipOf(test::writeProject({test::plantPart()}, 1252), "Plant"));
+  const test::Run of = runWith({"show", "--isolated", "--as", "stl", "--no-findings", project});
+  for (const std::string& name : {folder.path("Plant"), archive}) {
+    const test::Run run = runWith({"show", "--isolated", "--as", "stl", "--no-findings", name});
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_EQ(run.out, of.out) << name;
+  }
+}
+
+TEST(S7Project, TextsAreOfTheProjectsCodePage) {
+  struct Case {
+    unsigned page;
+    const char* bytes;
+    const char* text;
+  };
+  const Case cases[] = {
+      {1250, "\xB3\xF3\xBF", "łóż"}, {1251, "\xEF\xF3\xF1\xEA", "пуск"}, {936, "\xC6\xF4\xB6\xAF", "启动"}};
+  for (const Case& each : cases) {
+    const TemporaryFolder folder;
+    test::ProjectPart part = test::plantPart();
+    part.symbols[0].name = each.bytes;
+    for (mc7::StoredBlock& block : part.blocks) {
+      if (block.key == step7::BlockKey{step7::BlockKind::Ob, 1}) block.networkTexts[0].title = each.bytes;
+    }
+    const std::string project = writeFiles(folder, test::writeProject({part}, each.page));
+    const test::Run run = runWith({"show", "--isolated", "--pou", "OB1", "--no-findings", project});
+    EXPECT_TRUE(run.says(each.text)) << each.page << run.out << run.err;
+  }
+}
+
+TEST(S7Project, SeveralProgramsAreNamed) {
+  const TemporaryFolder folder;
+  test::ProjectPart second = test::plantPart();
+  second.cpu = "CPU 314";
+  second.orderNumber.clear();
+  const std::string project = writeFiles(folder, test::writeProject({test::plantPart(), second}, 1252));
+  EXPECT_NE(runWith({"lint", "--isolated", project}).exit, 2);
+  for (const char* command : {"prove", "sim"}) {
+    const test::Run run = runWith({command, "--isolated", project});
+    EXPECT_EQ(run.exit, 2);
+    EXPECT_TRUE(run.says("the project has 2 programs")) << run.err;
+    EXPECT_TRUE(run.says("SIMATIC 300(2)/CPU 314/S7 Program(1)")) << run.err;
+  }
+  const test::Run named =
+      runWith({"show", "--isolated", "--program", "CPU 314/S7 Program(1)", "--no-findings", project});
+  EXPECT_EQ(named.exit, 0) << named.err;
+  const test::Run both = runWith({"show", "--isolated", "--no-findings", project});
+  EXPECT_EQ(both.out, named.out + "\n" + named.out) << both.err;
+  const test::Run wrong = runWith({"lint", "--isolated", "--program", "nobody", project});
+  EXPECT_EQ(wrong.exit, 2);
+  EXPECT_TRUE(wrong.says("has no program 'nobody'")) << wrong.err;
+}
+
+TEST(S7Project, OldLayoutIsRefusedByName) {
+  const TemporaryFolder folder;
+  std::map<std::string, std::string> files = test::writeProject({test::plantPart()}, 0);
+  std::erase_if(files, [](const auto& file) {
+    return file.first.find("ubblk") != std::string::npos || file.first.find("SUBBLK") != std::string::npos;
+  });
+  const test::Run run = runWith({"lint", "--isolated", writeFiles(folder, files)});
+  EXPECT_EQ(run.exit, 2);
+  EXPECT_TRUE(run.says("old layout of STEP 7 V1 and V2")) << run.err;
+}
+
+// A caller that was compiled with an older interface than the project has.
+TEST(S7Project, TimeStampConflictIsFound) {
+  const TemporaryFolder folder;
+  test::ProjectPart part = test::plantPart();
+  for (mc7::StoredBlock& block : part.blocks) {
+    if (block.key == step7::BlockKey{step7::BlockKind::Fb, 21}) block.interfaceTime = 5000;
+    if (block.key == step7::BlockKey{step7::BlockKind::Ob, 1})
+      block.used = {{{step7::BlockKind::Fb, 21}, 4000}, {{step7::BlockKind::Fc, 1}, 0}};
+  }
+  const test::Run run = runWith({"lint", "--isolated", writeFiles(folder, test::writeProject({part}, 1252))});
+  EXPECT_TRUE(run.says("OB1 was compiled with another interface of FB21")) << run.out;
+}
+
+}  // namespace
+}  // namespace rungproof
