@@ -225,13 +225,21 @@ class CallFollower {
 
   // Functions -------------------------------------------------------------------------------------------------------
 
+  /// In a function block AR2 is kept around a call that hands pointers over.
   bool function() {
+    std::optional<std::uint32_t> saved;
+    if (isNext("TAR2") && item().opcode->form == Form::Holder) {
+      saved = item().word();
+      ++at_;
+    }
     transfers(before_);
     if (atEnd() || !item().hasList || !item().is("UC") || !isDirectNumber(item())) return false;
     const CodeItem& call = item();
     const bool isOfKind = (call.opcode->operand == "SFC") == (frame_->kind == BlockKind::Sfc);
     if (!isOfKind) return false;
     ++at_;
+    if (saved && (!isNext("LAR2") || item().opcode->form != Form::Holder || item().word() != *saved)) return false;
+    if (saved) ++at_;
     openDb_.clear();
     transfers(after_);
     std::optional<std::string> text = callText(call, {frame_->kind, numberOf(call)});
@@ -279,6 +287,27 @@ class CallFollower {
                              : fmt::format("{} {}", letters, address / 8);
   }
 
+  static bool isFinestBase(std::uint32_t word) {
+    const bool hasDigits = (word & 15U) <= 9 && (word >> 4 & 15U) <= 9 && (word >> 8 & 15U) <= 9 && word >> 14 == 0;
+    return hasDigits && ((word >> 12) == 0 || (word >> 8 & 15U) != 0);
+  }
+  /// The compiler loads every constant as a number; the parameter says what it means.
+  static std::string sourceText(const Transfer& transfer, const s7300::Type& type) {
+    static constexpr std::array<std::pair<TypeKind, s7300::ConstantKind>, 4> typed = {
+        {{TypeKind::S5Time, s7300::ConstantKind::S5Time},
+         {TypeKind::Time, s7300::ConstantKind::Time},
+         {TypeKind::Date, s7300::ConstantKind::Date},
+         {TypeKind::TimeOfDay, s7300::ConstantKind::TimeOfDay}}};
+    const auto row = std::ranges::find(typed, type.kind, &std::pair<TypeKind, s7300::ConstantKind>::first);
+    if (!transfer.constant || row == typed.end()) return transfer.source;
+    s7300::Constant constant;
+    // An S5TIME in a coarser base than its time needs has no spelling of its own.
+    const bool isExact = type.kind != TypeKind::S5Time || isFinestBase(*transfer.constant);
+    constant.kind = isExact ? row->second : s7300::ConstantKind::Word;
+    constant.value = *transfer.constant;
+    return step7::spellingOf(constant);
+  }
+
   std::optional<std::string> localActual(const Field& formal, Size size, std::uint32_t address) {
     Transfer* const in = transferTo(before_, areaL, false, size, address);
     Transfer* const out = transferFrom(after_, areaL, false, size, address);
@@ -289,7 +318,7 @@ class CallFollower {
       if (in == nullptr || out == nullptr || in->source != out->target) return std::nullopt;
       return in->source;
     }
-    if (isInput && in != nullptr) return in->source;
+    if (isInput && in != nullptr) return sourceText(*in, formal.type);
     if (!isInput && out != nullptr) return out->target;
     if (context_.names.local) {
       if (const auto name = context_.names.local(Place::L, size, address / 8, address % 8)) return *name;
@@ -418,7 +447,7 @@ class CallFollower {
       if (!in->constant) return std::nullopt;
       return fmt::format("{} {}", kind, *in->constant);
     }
-    if (isInput) return in == nullptr ? std::string() : in->source;
+    if (isInput) return in == nullptr ? std::string() : sourceText(*in, formal.type);
     if (!isInOut) return out == nullptr ? std::string() : out->target;
     if (in == nullptr && out == nullptr) return std::string();
     if (in == nullptr || out == nullptr || in->source != out->target) return std::nullopt;
