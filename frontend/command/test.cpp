@@ -15,6 +15,7 @@
 #include "frontend/simulation/trace_file.hpp"
 #include "frontend/testing/coverage_page.hpp"
 #include "frontend/testing/generate.hpp"
+#include "frontend/testing/recorded_table.hpp"
 #include "frontend/testing/table_reader.hpp"
 #include "frontend/testing/table_run.hpp"
 #include "frontend/watch.hpp"
@@ -26,7 +27,7 @@ namespace {
 struct TestArguments {
   std::vector<std::string> files, tables, stimuli, properties;
   bool coverage = false, kill = false, together = false, watch = false;
-  std::string generate, goal = "all", show;
+  std::string generate, goal = "all", show, record, output = "-";
 };
 
 class TestRun {
@@ -44,6 +45,7 @@ class TestRun {
     if (program.main() == nullptr)
       return context_.fail(
           {"there is no main program to run", arguments_.files.front(), "give the file that holds the main program"});
+    if (!arguments_.record.empty()) return record(program, input.properties);
     readTables(program);
     if (!failures_.empty()) return failAll(context_, failures_);
 
@@ -55,7 +57,7 @@ class TestRun {
     if (measures) options.coverage = &recorder;
     if (!arguments_.generate.empty()) {
       TestTable made;
-      if (!generateInto(tests, made, context_, map, input.properties, generateRequest(options, program, unread),
+      if (!generateInto(tests, made, context_, map, input.properties, generateRequest(options, program, unread, report),
                         proverOptionsOf(context_.settings, {&program})))
         return Exit::Failed;
       tables_.push_back(std::move(made));
@@ -68,7 +70,10 @@ class TestRun {
       if (!tests.coverage) tests.coverage = coverageOf(recorder);
       if (options.hasPage) tests.drawings = coverageDrawings(recorder);
     }
-    if (arguments_.kill && tests.failed() == 0) tests.kills = kill(program, input.properties, options);
+    if (arguments_.kill && tests.failed() == 0)
+      tests.kills = kill(program, input.properties, options);
+    else if (arguments_.kill)
+      context_.err << "rungproof: no fault is planted: the program itself does not pass the tests\n";
     describe(report, program, options);
     report.tests = std::make_shared<const TestReport>(std::move(tests));
     return finish(context_, std::move(report));
@@ -76,7 +81,11 @@ class TestRun {
 
  private:
   std::optional<Failure> unusable() const {
-    if (!arguments_.tables.empty() || !arguments_.stimuli.empty() || !arguments_.generate.empty()) return std::nullopt;
+    if (!arguments_.record.empty() && (!arguments_.tables.empty() || !arguments_.generate.empty()))
+      return Failure{"--record writes a table and runs none", {}, "run the table that it has written"};
+    if (!arguments_.tables.empty() || !arguments_.stimuli.empty() || !arguments_.generate.empty() ||
+        !arguments_.record.empty())
+      return std::nullopt;
     return Failure{
         "nothing is to be tested", {}, "give a table with --table, a stimulus with --stimulus, or --generate DIR"};
   }
@@ -92,6 +101,20 @@ class TestRun {
                                                                                   : "a part of it is refused");
     finish(context_, std::move(report));
     return Exit::Failed;
+  }
+
+  /// Writes a trace as a table.
+  Exit record(const Program& program, const PropertySet& set) {
+    const TraceImport import = traceImportOf(context_.settings, failures_);
+    Trace trace;
+    if (const std::optional<std::string> text = readFile(context_, arguments_.record, failures_))
+      trace = readTrace(arguments_.record, *text, program, failures_, "old", import);
+    if (!failures_.empty()) return failAll(context_, failures_);
+    const TestTable table = recordedTable(program, set, trace, "recorded");
+    if (!table.expectsAnything())
+      return context_.fail({"the trace holds no value of an output, so the table would compare nothing",
+                            arguments_.record, "record the outputs of the program too"});
+    return context_.write({"csv", arguments_.output}, testTableText(table)) ? Exit::Clean : Exit::Failed;
   }
 
   void readTables(const Program& program) {
@@ -147,8 +170,8 @@ class TestRun {
     }
   }
 
-  GenerateRequest generateRequest(const TableRunOptions& options, const Program& program,
-                                  const UnreadCode& unread) const {
+  GenerateRequest generateRequest(const TableRunOptions& options, const Program& program, const UnreadCode& unread,
+                                  const Report& report) const {
     using namespace std::chrono_literals;
     GenerateRequest request;
     request.directory = arguments_.generate;
@@ -164,6 +187,7 @@ class TestRun {
     for (std::uint32_t i = 0; i < program.sources->size(); ++i) text += program.sources->file(i).text();
     request.hash = sha256(text);
     request.unread = &unread;
+    request.read = report.coverage;
     return request;
   }
 
@@ -223,6 +247,8 @@ Action setup(ArgumentTable& table) {
              "networks|contacts|transitions|mcdc|all", "what generated tests are to cover [default: all]");
   table.flag("--together", arguments->together, "a generated step may change several inputs");
   table.flag("--kill", arguments->kill, "plant faults and say which of them the tests notice");
+  table.option("--record", arguments->record, "TRACE", "write this trace (CSV, VCD) as a test table");
+  table.option("-o,--output", arguments->output, "FILE", "with --record: the table; standard output");
   table.option("--props", arguments->properties, "FILE",
                "requirements that the sheet names, and assumptions; may be repeated");
   table.flag(watchOption, arguments->watch, watchHelp);
@@ -250,7 +276,8 @@ extern constexpr Command testCommand = {
         "    rungproof test press.awl --table press.test.csv --show ladder --format junit=tests.xml\n"
         "    rungproof test press.awl --table press.test.csv --coverage --format html=tests.html\n"
         "    rungproof test press.awl --generate acceptance --props press.prop\n"
-        "    rungproof test press.awl --table acceptance/tests.csv --kill\n",
+        "    rungproof test press.awl --table acceptance/tests.csv --kill\n"
+        "    rungproof test press.awl --record run.csv -o run.test.csv\n",
     .shows = option_group::Reading | option_group::Running | option_group::Traces | option_group::Output |
              option_group::Configuration,
     .setup = setup,

@@ -222,7 +222,8 @@ bool generateInto(TestReport& report, TestTable& table, const Context& context, 
   describeTests(sheet, all, set, request);
   report.coverage = coverageOf(all);
   GoalStates(all, made.answers, proofs).settle(*report.coverage);
-  report.isGenerated = true;
+  report.asked = {request.measures.networks, request.measures.contacts, request.measures.transitions,
+                  request.measures.mcdc};
   sheet.coverage = *report.coverage;
   sheet.basis.push_back(
       fmt::format("Every value to be seen was checked in {} runs: scans of {:g} ms to {:g} ms, equally long and "
@@ -232,7 +233,9 @@ bool generateInto(TestReport& report, TestTable& table, const Context& context, 
                   made.timingRows));
   made.table.file = (std::filesystem::path(request.directory) / "tests.csv").string();
 
-  Json coverage = Json::object();
+  Json coverage = {{"instructions", request.read.instructions},
+                   {"understood", request.read.understood},
+                   {"approximated", request.read.approximated}};
   addMeasures(coverage, *report.coverage);
   std::vector<FileToWrite> files{{"tests.csv", "csv", testTableText(made.table)},
                                  {"sheet.html", "html", sheetHtml(sheet)},

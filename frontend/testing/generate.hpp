@@ -19,6 +19,7 @@ struct GenerateRequest {
   ScanTime shownTime{};  ///< at which coverage is measured
   std::string title, hash;
   const UnreadCode* unread = nullptr;
+  Coverage read{};  ///< how much of the program was understood
 };
 
 /// Writes the files and puts coverage and their names into `report`; gives the table. False: a file could not be

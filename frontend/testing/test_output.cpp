@@ -113,8 +113,12 @@ std::size_t TestReport::failed() const {
 }
 
 std::size_t TestReport::openGoals() const {
-  if (!coverage || !isGenerated) return 0;
-  return coverage->networks.open + coverage->contacts.open + coverage->transitions.open + coverage->mcdc.open;
+  if (!coverage) return 0;
+  std::size_t open = 0, i = 0;
+  for (const auto& [name, measure] : measuresOf(*coverage)) {
+    if (asked[i++]) open += measure.open;
+  }
+  return open;
 }
 
 std::string testFailureText(const TestResult& test) {

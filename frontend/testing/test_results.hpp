@@ -2,6 +2,7 @@
 // report; the reporters of frontend/report print it. Covered by tests/tables.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,7 +55,8 @@ struct CoverageResult {
 struct TestReport {
   std::vector<TestResult> tests;
   std::optional<CoverageResult> coverage{};
-  bool isGenerated = false;            ///< open goals count as undecided
+  /// Generated tests: measures whose open goals count as undecided, in the order of CoverageResult.
+  std::array<bool, 4> asked{};
   std::vector<std::string> written{};  ///< files
   std::optional<std::vector<PlantedFault>> kills{};
   std::string drawings{};  ///< networks with the colours of their contacts, for a page

@@ -146,5 +146,21 @@ TEST_F(TestCommand, ReadsOtherEncodingsAndSeparators) {
   EXPECT_EQ(run({program, "--table", write("u.csv", "test\tset I0.0\texpect Q0.0\nt\ton\tTRUE\n")}), 0) << err_ << out_;
 }
 
+// Scans 1 to 3 with the start pressed, 4 and 5 released, 6 stopped: three stretches, as the motor runs from scan 1
+// to 5.
+TEST_F(TestCommand, RecordsATraceAsATable) {
+  const std::string program = write("motor.awl", motorProgram);
+  const std::string trace = write("run.csv",
+                                  "scan,I0.0,I0.1,Q0.0,Q0.1\n1,1,0,1,0\n2,1,0,1,0\n3,1,0,1,0\n4,0,0,1,0\n5,0,0,1,0\n"
+                                  "6,0,1,0,0\n");
+  EXPECT_EQ(run({program, "--record", trace, "-o", path("t.csv")}), 0) << err_;
+  EXPECT_EQ(content("t.csv"),
+            "test,step,wait,set I0.0,set I0.1,expect Q0.0,expect Q0.1,note\n"
+            "recorded,power on,3 scans,1,0,1,0,\nrecorded,change inputs,2 scans,0,0,1,0,\n"
+            "recorded,change inputs,1 scan,0,1,0,0,\n");
+  EXPECT_EQ(run({program, "--table", path("t.csv")}), 0) << out_;
+  EXPECT_EQ(run({program, "--record", write("in.csv", "scan,I0.0\n1,1\n")}), 2);
+}
+
 }  // namespace
 }  // namespace rungproof::test
