@@ -119,6 +119,7 @@ class MutantFinder {
       if (*next == std::pair(given.offset, given.bit)) return;
       changed[index].offset = next->first;
       changed[index].bit = next->second;
+      changed[index].text = ShortText();  // the name is that of the other variable
       plant("operand", instruction, *instruction.desc, std::move(changed));
       return;
     }
@@ -169,7 +170,7 @@ std::vector<KillResult> killMutants(const Program& program, const PropertySet& s
     result.noticedBy = noticedBy(mutant, tables, options.play);
     if (!result.noticedBy.empty()) {
       result.fate = FaultFate::Noticed;
-    } else if (Clock::now() < end) {
+    } else if (Clock::now() < end && !isIec(program.target)) {  // variables of IEC 61131-3 have no addresses to compare
       EquivalenceOptions both;
       both.prover = options.prover;
       both.prover.timeout = options.patience;
