@@ -67,7 +67,7 @@ void StimulusPlayer::apply(const StimulusRow& row, ScanRequest& request) {
     const StimulusColumn& column = stimulus_.columns[i];
     if (!row.values[i]) continue;
     const std::uint64_t value = valueOf(*row.values[i], column.signal.type, column.signal.width());
-    act(column, value);
+    actOn(simulator_, column, value);
   }
   for (const PresetValue& preset : row.presets) simulator_.write(preset.operand, preset.value);
   script_.ticks1.insert(script_.ticks1.end(), row.ticks.begin(), row.ticks.end());
@@ -77,18 +77,18 @@ void StimulusPlayer::apply(const StimulusRow& row, ScanRequest& request) {
   for (const auto& [port, character] : row.characters) simulator_.devices().ports.send(port, character);
 }
 
-void StimulusPlayer::act(const StimulusColumn& column, std::uint64_t value) {
-  Devices& devices = simulator_.devices();
+void actOn(Simulator& simulator, const StimulusColumn& column, std::uint64_t value) {
+  Devices& devices = simulator.devices();
   const auto number = static_cast<std::uint32_t>(value);
   switch (column.target) {
     case StimulusTarget::Memory: {
       const Operand& operand = column.signal.operand;
-      const bool isStatus = operand.area == Area::SM &&
-                            smRow(simulator_.target(), operand.offset, operand.bit).source == SmSource::Device;
+      const bool isStatus =
+          operand.area == Area::SM && smRow(simulator.target(), operand.offset, operand.bit).source == SmSource::Device;
       if (isStatus)
-        simulator_.writeByDevice(operand, value);
+        simulator.writeByDevice(operand, value);
       else
-        simulator_.write(operand, value);
+        simulator.write(operand, value);
       break;
     }
     case StimulusTarget::LibraryOutput: devices.setLibraryOutput(column.block, column.position, value); break;
@@ -98,10 +98,10 @@ void StimulusPlayer::act(const StimulusColumn& column, std::uint64_t value) {
     case StimulusTarget::DownPulses:
       devices.counters.setPulses(column.position, devices.counters.pulses(column.position)[0], number);
       break;
-    case StimulusTarget::TickPhase: simulator_.startClock(Reg::PhaseHundred, number); break;
-    case StimulusTarget::SecondPhase: simulator_.startClock(Reg::PhaseSecond, number); break;
-    case StimulusTarget::MinutePhase: simulator_.startClock(Reg::PhaseMinute, number); break;
-    case StimulusTarget::ClockBitPhase: simulator_.startClock(Reg::ClockPhase, number, column.position); break;
+    case StimulusTarget::TickPhase: simulator.startClock(Reg::PhaseHundred, number); break;
+    case StimulusTarget::SecondPhase: simulator.startClock(Reg::PhaseSecond, number); break;
+    case StimulusTarget::MinutePhase: simulator.startClock(Reg::PhaseMinute, number); break;
+    case StimulusTarget::ClockBitPhase: simulator.startClock(Reg::ClockPhase, number, column.position); break;
     case StimulusTarget::StartField: {
       const s7300::StartField& field = column.field;
       if (field.width == Width::Bit) {

@@ -84,6 +84,9 @@ SimulatorOptions wholeOptions(const Choices& choices);
 /// Puts a simulator, which has just been made, where a stimulus that is whole begins.
 void beginWhole(Simulator& simulator, const Stimulus& stimulus, const Choices& choices);
 
+/// What a value of a column does before the next scan; columns of characters and those that are passed over do nothing.
+void actOn(Simulator& simulator, const StimulusColumn& column, std::uint64_t value);
+
 /// Plays a stimulus into a simulator.
 class StimulusPlayer {
  public:
@@ -98,7 +101,6 @@ class StimulusPlayer {
 
  private:
   void apply(const StimulusRow& row, ScanRequest& request);
-  void act(const StimulusColumn& column, std::uint64_t value);
 
   Simulator& simulator_;
   const Stimulus& stimulus_;

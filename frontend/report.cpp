@@ -4,11 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <tuple>
 
 #include "analysis/read_errors.hpp"
 #include "analysis/rule.hpp"
+#include "frontend/testing/test_results.hpp"
 
 namespace rungproof {
 
@@ -75,8 +77,22 @@ Summary summaryOf(const Report& report) {
     }
   }
   summary.undecided += report.coverage.open;
+  if (report.tests != nullptr) summary.undecided += report.tests->openGoals();
   return summary;
 }
+
+namespace {
+
+/// Failed tests, and tests that expect nothing.
+void addTestReasons(const Report& report, const std::function<void(bool, Exit, std::string)>& add) {
+  if (report.tests == nullptr) return;
+  const std::vector<TestResult>& tests = report.tests->tests;
+  add(report.tests->failed() > 0, Exit::Found, "a test fails");
+  const bool isDecided = tests.empty() || std::ranges::any_of(tests, &TestResult::isDecided);
+  add(!isDecided, Exit::Undecided, "no test expects anything");
+}
+
+}  // namespace
 
 ExitReason exitReasonOf(const Report& report) {
   const Severity failLevel = report.failLevel.value_or(Severity::Warning);
@@ -93,6 +109,7 @@ ExitReason exitReasonOf(const Report& report) {
   add(!report.defects.empty(), Exit::Failed, "rungproof disagrees with itself");
   for (const ExitReason& reason : report.reasons) add(true, reason.exit, reason.text);
   add(summary.violated > 0, Exit::Found, "a property does not hold");
+  addTestReasons(report, add);
   add(differs, Exit::Found,
       report.comparison && report.comparison->isOfPrograms() ? "outputs differ" : "traces differ");
   add(std::ranges::any_of(report.findings, fails), Exit::Found,

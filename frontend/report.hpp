@@ -135,6 +135,8 @@ struct ExitReason {
   std::string text{};
 };
 
+struct TestReport;  // of test tables; frontend/testing/test_results.hpp
+
 struct Report {
   std::string command;  ///< "lint", "prove", ...
   std::shared_ptr<const SourceSet> sources;
@@ -143,6 +145,7 @@ struct Report {
   std::optional<Comparison> comparison;
   Coverage coverage;
   std::optional<std::vector<PlantedFault>> selfCheck;
+  std::shared_ptr<const TestReport> tests{};  ///< nullptr: of another command
   std::vector<std::string> assumptions;       ///< CPU, scan time, initial memory, external writers
   std::vector<std::string> files;             ///< as given; for the closing line
   std::vector<std::string> defects;           ///< of rungproof itself, as internal disagreements: the exit code is 2

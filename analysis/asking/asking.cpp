@@ -199,6 +199,7 @@ std::vector<RuleQuestion> ruleQuestions(const Program& program, const PropertySe
     ask.program(asking);
     if (asking.asked() == before && !ask.whenNone.empty()) askNothing(asking, *rule);
   }
+  if (groups.further) groups.further(asking);
   return asking.take();
 }
 

@@ -4,6 +4,7 @@
 // tests/prover/builtin_test.cpp, tests/prover/rule_questions_test.cpp and tests/prover/own_rule_test.cpp.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -39,14 +40,18 @@ struct RuleQuestion {
 /// Whether prove --builtin asks it too; what only lint asks gets less time and less evidence.
 constexpr bool isAskedByProve(const Rule& rule) { return (rule.ask.in & asked::Builtin) != 0; }
 
+class Asking;
+
 /// Which questions are asked beside the declared properties, and whose.
 struct CheckGroups {
   bool builtin = false;  ///< asked::Builtin: those of prove --builtin
   bool lint = false;     ///< asked::Lint: those of lint rules about rungs, steps and declared stops
   bool powerUp = false;  ///< asked::PowerUp: with PropertySet::initialRetentive
   std::span<const Rule* const> rules = allRules();
+  /// Asks beside the rules, with one of its own (Asking::begin), about what contacts and outputs see too (Visit::bit).
+  std::function<void(Asking&)> further{};
 
-  bool any() const { return builtin || lint || powerUp; }
+  bool any() const { return builtin || lint || powerUp || further; }
   bool has(const Rule& rule) const {
     const AskedIn in = rule.ask.in;
     return (builtin && (in & asked::Builtin) != 0) || (lint && (in & asked::Lint) != 0) ||

@@ -18,7 +18,7 @@ bool isPlainContact(const Instruction& i) {
 
 }  // namespace
 
-ExecutionRecord::ExecutionRecord(const Program& program, bool contacts) : contacts_(contacts) {
+ExecutionRecord::ExecutionRecord(const Program& program, bool contacts, bool bits) : contacts_(contacts), bits_(bits) {
   const Plan plan(program);
   sites_.resize(program.instructionCount());
   hasEntriesWithin_.assign(plan.flows.size(), false);
@@ -65,6 +65,7 @@ void ExecutionRecord::at(Machine<Graph>& machine, const Instruction& instruction
       instruction.operands[1].area != Area::AI) {
     visit.preset = machine.load(instruction.operands[1].area, instruction.operands[1].offset, Width::Word).node;
   }
+  if (bits_) noteBits(machine, instruction, visit);
   visits_.push_back(visit);
   for (const Operand& o : instruction.operands) {
     if (o.kind != OperandKind::Direct || !hasBitAndWord(o.area) || o.offset >= machine.areaSize(o.area)) continue;

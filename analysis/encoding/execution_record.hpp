@@ -19,6 +19,12 @@ struct Visit {
   Node guard;                                        ///< whether the scan comes here
   std::array<Node, 3> flow{noNode, noNode, noNode};  ///< stack levels that it samples, top first, 0 in an inactive step
   Node preset = noNode;                              ///< of a timer or counter, 16 bits; noNode: a constant, or unknown
+  /// ExecutionRecord with bits: the own bit of a contact or comparison, of EU, ED, FP and FN whether they let a change
+  /// through; noNode: not known.
+  Node bit = noNode;
+  /// The same: the RLO of an S7-300/400, the value on top of the stack of an IEC program as a truth value.
+  Node result = noNode;
+  Node target = noNode;  ///< the same: the value of the operand that the instruction writes, in its width
 };
 
 /// An instruction that takes a level which the stack has lost.
@@ -30,8 +36,8 @@ struct LostLevel {
 
 class ExecutionRecord {
  public:
-  /// contacts: also find out which contacts make a difference (contactEffects).
-  ExecutionRecord(const Program& program, bool contacts);
+  /// contacts: also find out which contacts make a difference (contactEffects). bits: keep Visit::bit and what follows.
+  ExecutionRecord(const Program& program, bool contacts, bool bits = false);
 
   /// In front of an instruction of the final round of the encoding.
   void at(Machine<Graph>& machine, const Instruction& instruction);
@@ -71,6 +77,7 @@ class ExecutionRecord {
     bool takesTop = false;  ///< the last instruction made a new top: go on with that
   };
 
+  void noteBits(Machine<Graph>& machine, const Instruction& instruction, Visit& visit) const;
   void followHeights(Machine<Graph>& machine, const Instruction& instruction, const Site& site);
   void followContacts(Machine<Graph>& machine, const Instruction& instruction, const Site& site);
   bool follow(Machine<Graph>& machine, const Instruction& instruction, Bridged& bridged);
@@ -79,7 +86,7 @@ class ExecutionRecord {
   std::vector<Site> sites_;             ///< by Instruction::id
   std::vector<bool> hasEntriesWithin_;  ///< by block: a jump leads into the middle of one of its networks
   std::vector<bool> takesFromBelow_;    ///< by block: some network uses levels of an earlier one
-  bool contacts_;
+  bool contacts_, bits_;
   std::array<Heights, frameCount> heights_{};
   std::vector<Bridged> bridged_;
   std::vector<Visit> visits_;

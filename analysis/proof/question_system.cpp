@@ -17,7 +17,8 @@ namespace rungproof {
 
 QuestionSystem::QuestionSystem(const Program& program, const PropertySet& set, const std::vector<Property>& goals,
                                const EncoderOptions& options, const CheckGroups& groups)
-    : record_(program, groups.lint), askedProperties_(program, set, goals, options, groups.any() ? &record_ : nullptr) {
+    : record_(program, groups.lint, static_cast<bool>(groups.further)),
+      askedProperties_(program, set, goals, options, groups.any() ? &record_ : nullptr) {
   checks_ = ruleQuestions(program, set, groups, askedProperties_, record_);
   for (const RuleQuestion& check : checks_) askedProperties_.ask(check.name, check.bad);
   Graph& graph = askedProperties_.encoding().graph();

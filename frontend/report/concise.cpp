@@ -5,6 +5,7 @@
 
 #include "analysis/rule.hpp"
 #include "frontend/report.hpp"
+#include "frontend/testing/test_output.hpp"
 #include "frontend/text/excerpt.hpp"
 #include "frontend/text/safe_text.hpp"
 
@@ -28,6 +29,12 @@ void write(const Report& report, const ReportStyle& style, std::ostream& out) {
     out << fmt::format("{}{} {}{}{}\n", messageText(place), verdictText(property.verdict, property.depth),
                        messageText(property.title()),
                        property.trace.empty() ? "" : " (" + messageText(property.trace) + ")", messageText(assumed));
+  }
+  if (report.tests != nullptr) {
+    for (const TestResult& test : report.tests->tests)
+      out << fmt::format("{}{}: {} {}{}\n", messageText(test.table),
+                         test.line != 0 ? fmt::format(":{}", test.line) : "", test.passed ? "passed" : "failed",
+                         messageText(test.name), test.passed ? "" : ": " + messageText(testFailureText(test)));
   }
   if (report.comparison && report.comparison->isOfPrograms())
     out << report.comparison->verdict << (report.comparison->equal ? "\n" : " ");

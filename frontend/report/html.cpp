@@ -6,6 +6,7 @@
 
 #include "frontend/acceptance/page_writer.hpp"
 #include "frontend/report.hpp"
+#include "frontend/testing/test_output.hpp"
 #include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
@@ -90,7 +91,10 @@ class HtmlWriter {
   std::ostream& out_;
 };
 
-void write(const Report& report, const ReportStyle&, std::ostream& out) { HtmlWriter(report, out).write(); }
+void write(const Report& report, const ReportStyle&, std::ostream& out) {
+  if (report.tests != nullptr) return writeTestPage(report, *report.tests, out);
+  HtmlWriter(report, out).write();
+}
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 
 #include "analysis/rule.hpp"
 #include "frontend/report_basis.hpp"
+#include "frontend/testing/test_output.hpp"
 #include "frontend/text/excerpt.hpp"
 #include "frontend/text/safe_text.hpp"
 
@@ -32,12 +33,14 @@ class HumanWriter {
     for (const PropertyResult& property : report_.properties) writeProperty(property);
     if (report_.comparison) writeComparison(*report_.comparison);
     if (report_.selfCheck) writeSelfCheck(*report_.selfCheck);
+    if (report_.tests != nullptr) out_ << testText(*report_.tests, paint_, style_.quiet);
     const bool isOfPrograms = report_.comparison && report_.comparison->isOfPrograms();
     writeBasis();
     for (const std::string& line : report_.coverage.leftOut) out_ << fmt::format("left out: {}\n", messageText(line));
     if (style_.verbose && report_.techniques) writeTechniques(*report_.techniques);
     if (isOfPrograms) out_ << verdictLine(*report_.comparison) << '\n';
-    const bool saidAll = report_.comparison && report_.findings.empty() && report_.properties.empty();
+    const bool saidAll =
+        (report_.comparison || report_.tests != nullptr) && report_.findings.empty() && report_.properties.empty();
     if (!style_.quiet && !saidAll) out_ << closingLine() << '\n';
   }
 

@@ -8,6 +8,7 @@
 #include "frontend/cli/cli.hpp"
 #include "frontend/report.hpp"
 #include "frontend/report/long_array.hpp"
+#include "frontend/testing/test_output.hpp"
 
 namespace rungproof {
 
@@ -143,11 +144,16 @@ void write(const Report& report, const ReportStyle& style, std::ostream& out) {
   }
   if (report.selfCheck) json["self_check"] = selfCheckJson(*report.selfCheck);
   if (style.verbose && report.techniques) json["techniques"] = techniquesJson(*report.techniques);
+  if (report.tests != nullptr) {
+    json["tests"] = testsJson(*report.tests);
+    if (report.tests->kills) json["kills"] = selfCheckJson(*report.tests->kills);
+  }
   json["comparison"] = comparisonJson(report.comparison, report.assumptions);
   json["coverage"] = {{"instructions", report.coverage.instructions},
                       {"understood", report.coverage.understood},
                       {"approximated", report.coverage.approximated}};
   if (!report.coverage.leftOut.empty()) json["coverage"]["left_out"] = report.coverage.leftOut;
+  if (report.tests != nullptr && report.tests->coverage) addMeasures(json["coverage"], *report.tests->coverage);
   json["summary"] = {{"errors", summary.errors}, {"warnings", summary.warnings}, {"notes", summary.notes},
                      {"proved", summary.proved}, {"violated", summary.violated}, {"undecided", summary.undecided}};
   writeWithItems(out, json, "findings", 2, report.findings.size(),

@@ -6,6 +6,7 @@
 
 #include "analysis/rule.hpp"
 #include "frontend/report_basis.hpp"
+#include "frontend/testing/test_output.hpp"
 #include "frontend/text/excerpt.hpp"
 #include "frontend/text/safe_text.hpp"
 
@@ -53,6 +54,7 @@ class JunitWriter {
     for (std::uint32_t file = 0; report_.sources != nullptr && file < report_.sources->size(); ++file) writeFile(file);
     writeProperties();
     writeComparison();
+    if (report_.tests != nullptr) writeTests(*report_.tests);
     if (report_.properties.empty() && !report_.comparison) writeBasis();
     setCounts(root_, tests_, failures_, 0);
   }
@@ -143,6 +145,31 @@ class JunitWriter {
     failures_ += isFailed ? 1 : 0;
     setCounts(suite, 1, isFailed ? 1 : 0, c.isUndecided() ? 1 : 0);
     ++tests_;
+  }
+
+  /// A suite for each table.
+  void writeTests(const TestReport& report) {
+    for (std::size_t begin = 0; begin < report.tests.size();) {
+      const std::string& table = report.tests[begin].table;
+      pugi::xml_node suite = root_.append_child("testsuite");
+      suite.append_attribute("name") = lineText(table).c_str();
+      std::size_t count = 0, failed = 0, skipped = 0;
+      for (; begin < report.tests.size() && report.tests[begin].table == table; ++begin, ++count) {
+        const TestResult& result = report.tests[begin];
+        pugi::xml_node test = addCase(suite, table, result.name, 0);
+        if (!result.passed) {
+          addFailure(test, "expectation", testFailureText(result),
+                     fmt::format("scan {}, {} ms", result.scan, plainNumber(result.timeMs)));
+          ++failed;
+        } else if (!result.isDecided) {
+          test.append_child("skipped").append_attribute("message") = "nothing is expected";
+          ++skipped;
+        }
+      }
+      setCounts(suite, count, failed, skipped);
+      tests_ += count;
+      failures_ += failed;
+    }
   }
 
   const Report& report_;

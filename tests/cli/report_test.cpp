@@ -5,6 +5,7 @@
 
 #include <sstream>
 
+#include "frontend/testing/test_results.hpp"
 #include "program_run.hpp"
 #include "schema_check.hpp"
 
@@ -113,6 +114,41 @@ TEST(SortFindings, OrdersByPlaceAndDropsRepetitions) {
   sortFindings(report);
   ASSERT_EQ(report.findings.size(), 2u);
   EXPECT_EQ(report.findings[0].rule, "A");
+}
+
+TEST(JsonReport, OfTestsConformsToItsSchema) {
+  Report report = reportWith({});
+  report.command = "test";
+  TestReport tests;
+  tests.tests = {{.name = "start", .table = "t.csv", .steps = 2}, {.name = "stop", .table = "t.csv", .steps = 3}};
+  TestResult& failed = tests.tests[1];
+  failed.passed = false;
+  failed.step = 2;
+  failed.signal = "Q0.0";
+  failed.expected = "1";
+  failed.actual = "0";
+  failed.scan = 4;
+  tests.coverage.emplace();
+  tests.coverage->contacts = {.covered = 1, .total = 3, .unreachable = 1, .open = 1};
+  tests.coverage->contacts.missing = {
+      {"MAIN:1 A I0.1", "its bit was never 1"},
+      {"MAIN:2 A M0.0", "proved", MissingGoal::State::Unreachable, "proofs/goal_1.smt2"}};
+  tests.kills.emplace();
+  report.tests = std::make_shared<const TestReport>(tests);
+  const nlohmann::json json = nlohmann::json::parse(written("json", report));
+  EXPECT_EQ(test::schemaFaults(json, schema()), std::vector<std::string>());
+  EXPECT_EQ(json["tests"][1]["step"], 2);
+  EXPECT_TRUE(json["tests"][0]["signal"].is_null());
+  // Only what is open is missing; what is proved impossible stands among the goals.
+  EXPECT_EQ(json["coverage"]["contacts"]["missing"], nlohmann::json({"MAIN:1 A I0.1"}));
+  EXPECT_EQ(json["coverage"]["contacts"]["goals"].size(), 2U);
+  EXPECT_EQ(exitOf(report), Exit::Found);
+  tests.tests.pop_back();
+  report.tests = std::make_shared<const TestReport>(tests);
+  EXPECT_EQ(exitOf(report), Exit::Clean);
+  tests.tests[0].isDecided = false;
+  report.tests = std::make_shared<const TestReport>(tests);
+  EXPECT_EQ(exitOf(report), Exit::Undecided);
 }
 
 TEST(JsonReport, ConformsToItsSchema) {

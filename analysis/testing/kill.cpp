@@ -1,0 +1,199 @@
+// A mutant is a copy of the program with one instruction changed; instructions keep their numbers.
+#include "analysis/testing/kill.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <set>
+
+#include "analysis/equivalence/equivalence.hpp"
+#include "analysis/testing/test_signals.hpp"
+#include "ir/dialect.hpp"
+
+namespace rungproof {
+
+namespace {
+
+std::string changedText(const Desc& desc, const Operands& operands) {
+  std::string text(desc.stl);
+  for (std::size_t i = 0; i < operands.size(); ++i) text += (i == 0 ? " " : ", ") + toString(operands[i]);
+  return text;
+}
+
+/// Mnemonics that are taken for one another.
+constexpr std::pair<std::string_view, std::string_view> likeSlips[] = {
+    {"AND", "OR"},  {"OR", "AND"},  {"EQ", "NE"},   {"NE", "EQ"},  {"LT", "LE"},  {"LE", "LT"},   {"GT", "GE"},
+    {"GE", "GT"},   {"ADD", "SUB"}, {"SUB", "ADD"}, {"A", "AN"},   {"AN", "A"},   {"O", "ON"},    {"ON", "O"},
+    {"X", "O"},     {"S", "R"},     {"R", "S"},     {"FP", "FN"},  {"FN", "FP"},  {"==I", "<>I"}, {"<>I", "==I"},
+    {">I", ">=I"},  {">=I", ">I"},  {"<I", "<=I"},  {"<=I", "<I"}, {"A(", "O("},  {"O(", "A("},   {"SD", "SE"},
+    {"==D", "<>D"}, {">D", ">=D"},  {">=D", ">D"},  {"<D", "<=D"}, {"<=D", "<D"}, {"+I", "-I"},   {"-I", "+I"}};
+
+class MutantFinder {
+ public:
+  explicit MutantFinder(const Program& program)
+      : program_(program), instructions_(dialectOf(program.target).instructions()) {
+    for (const Pou& pou : program.pous) {
+      if (isForeign(pou)) continue;
+      for (const Network& network : pou.networks) {
+        for (const Instruction& i : network.instructions) {
+          for (const Operand& o : i.operands) {
+            const bool isBit = o.kind == OperandKind::Direct && o.width == Width::Bit && !hasBitAndWord(o.area);
+            if (isBit && o.area != Area::SM && o.area != Area::L) bits_[o.area].insert({o.offset, o.bit});
+          }
+        }
+      }
+    }
+  }
+
+  std::vector<Mutant> run() {
+    if (!isIec(program_.target)) {
+      for (Fault& fault : faultsOf(program_)) {
+        std::string kind(faultKindName(fault.kind));
+        mutants_.push_back({std::move(kind), std::move(fault)});
+      }
+    }
+    for (pou_ = 0; pou_ < program_.pous.size(); ++pou_) {
+      if (isForeign(program_.pous[pou_])) continue;
+      const std::vector<Network>& networks = program_.pous[pou_].networks;
+      for (network_ = 0; network_ < networks.size(); ++network_) {
+        for (index_ = 0; index_ < networks[network_].instructions.size(); ++index_)
+          at(networks[network_].instructions[index_]);
+      }
+    }
+    return std::move(mutants_);
+  }
+
+ private:
+  bool isForeign(const Pou& pou) const {
+    if (isIec(program_.target))
+      return pou.isBuiltIn || pou.kind == PouKind::Main || pou.name.find(".(actions") != std::string::npos;
+    return pou.type != BlockType::None && program_.sources->file(pou.span.file).name() == pou.name;
+  }
+
+  void plant(std::string kind, const Instruction& given, const Desc& desc, Operands operands) {
+    Fault fault;
+    fault.text = fmt::format("{} for {}", changedText(desc, operands), changedText(*given.desc, given.operands));
+    fault.pou = pou_;
+    fault.network = network_;
+    fault.instruction = index_;
+    fault.desc = &desc;
+    fault.operands = std::move(operands);
+    mutants_.push_back({std::move(kind), std::move(fault)});
+  }
+
+  void at(const Instruction& instruction) {
+    const Desc& desc = *instruction.desc;
+    if (isIec(program_.target) || isStep7(program_.target)) {
+      for (const auto& [from, to] : likeSlips) {
+        if (desc.stl != from) continue;
+        if (const Desc* other = instructions_.named(to)) plant("operator", instruction, *other, instruction.operands);
+      }
+    } else if (desc.relation != Relation::None) {
+      relation(instruction);
+    }
+    for (std::size_t i = 0; i < instruction.operands.size(); ++i) operand(instruction, i);
+  }
+
+  void relation(const Instruction& instruction) {
+    constexpr std::pair<std::string_view, std::string_view> signs[] = {{">=", ">"}, {"<=", "<"}, {"<>", "="},
+                                                                       {">", ">="}, {"<", "<="}, {"=", "<>"}};
+    const std::string name(instruction.desc->stl);
+    for (const auto& [from, to] : signs) {
+      const std::size_t found = name.find_first_of("<>=");
+      if (found == std::string::npos || name.substr(found) != from) continue;
+      if (const Desc* other = instructions_.named(name.substr(0, found) + std::string(to)))
+        plant("comparison", instruction, *other, instruction.operands);
+      return;
+    }
+  }
+
+  void operand(const Instruction& instruction, std::size_t index) {
+    const Operand& given = instruction.operands[index];
+    Operands changed = instruction.operands;
+    if (given.kind == OperandKind::Direct && given.width == Width::Bit && bits_.contains(given.area) &&
+        (!isIec(program_.target) || instruction.desc->stl == "LOAD.BIT")) {
+      const std::set<std::pair<std::uint32_t, std::uint8_t>>& others = bits_.at(given.area);
+      auto next = others.upper_bound({given.offset, given.bit});
+      if (next == others.end()) next = others.begin();
+      if (*next == std::pair(given.offset, given.bit)) return;
+      changed[index].offset = next->first;
+      changed[index].bit = next->second;
+      changed[index].text = ShortText();  // the name is that of the other variable
+      plant("operand", instruction, *instruction.desc, std::move(changed));
+      return;
+    }
+    const bool isNumber = given.kind == OperandKind::Constant && given.form != ConstantForm::Real &&
+                          (instruction.desc->relation != Relation::None || instruction.desc->role == Role::Move ||
+                           (instruction.desc->stl == "L" && isStep7(program_.target)));
+    const bool isConst = instruction.desc->stl == "CONST" && index == 0 && instruction.operands.size() > 1 &&
+                         instruction.operands[1].value > 1;
+    if (!(isNumber && !isIec(program_.target)) && !isConst) return;
+    changed[index].value = given.value + 1;
+    plant("constant", instruction, *instruction.desc, std::move(changed));
+  }
+
+  const Program& program_;
+  const InstructionTable& instructions_;
+  std::map<Area, std::set<std::pair<std::uint32_t, std::uint8_t>>> bits_;
+  std::uint32_t pou_ = 0, network_ = 0, index_ = 0;
+  std::vector<Mutant> mutants_;
+};
+
+/// The first test that the mutant does not pass; empty: it passes all.
+std::string noticedBy(const Program& mutant, const std::vector<TestTable>& tables, const TestPlayOptions& play) {
+  for (const TestTable& table : tables) {
+    for (const TestCase& test : table.tests) {
+      Simulator simulator(mutant, play.engine);
+      if (!playTest(simulator, table, test, play).failures.empty()) return test.name;
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<Mutant> mutantsOf(const Program& program) { return MutantFinder(program).run(); }
+
+std::vector<KillResult> killMutants(const Program& program, const PropertySet& set,
+                                    const std::vector<TestTable>& tables, const KillOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point end =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.seconds));
+  std::vector<Mutant> mutants = mutantsOf(program);
+  const std::size_t step = mutants.size() / std::max<std::size_t>(options.most, 1) + 1;
+  // Outputs of IEC 61131-3 programs are variables, whose places a mutant keeps.
+  Operands variables;
+  if (isIec(program.target)) {
+    for (const TraceSignal& output : testSignalsOf(program, set).outputs) variables.push_back(output.operand);
+  }
+  std::vector<KillResult> results;
+  for (std::size_t i = 0; i < mutants.size(); i += step) {
+    KillResult result{std::move(mutants[i]), FaultFate::Undecided, {}, {}};
+    Program mutant = planted(program, result.mutant.fault);
+    mutant.number();
+    result.noticedBy = noticedBy(mutant, tables, options.play);
+    if (!result.noticedBy.empty()) {
+      result.fate = FaultFate::Noticed;
+    } else if (Clock::now() < end) {
+      EquivalenceOptions both;
+      both.observed = variables;
+      both.prover = options.prover;
+      both.prover.timeout = options.patience;
+      both.prover.checks = {};
+      both.prover.evidence = false;
+      both.prover.certificates = false;
+      both.prover.jobs = 1;
+      const Equivalence found = compareBehaviour({&program, set}, {&mutant, set}, both);
+      result.fate = found.equality == Equality::Equal       ? FaultFate::NoEffect
+                    : found.equality == Equality::Different ? FaultFate::Unnoticed
+                                                            : FaultFate::Undecided;
+      if (found.run) result.where = fmt::format("{} in scan {}", found.run->signal, found.run->scan);
+    }
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+}  // namespace rungproof

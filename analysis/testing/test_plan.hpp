@@ -1,0 +1,20 @@
+// From the steps of a search to few tests: each begins with power-on and goes the nearest way from one step that covers
+// something new to the next. Covered by tests/tables/generate_command_test.cpp.
+#pragma once
+
+#include <vector>
+
+#include "analysis/testing/bench_search.hpp"
+
+namespace rungproof {
+
+using BenchTest = std::vector<BenchStep>;
+
+/// Tests in which every useful step of the search stands once.
+std::vector<BenchTest> plannedTests(const BenchSearch& search);
+/// Ways through what the search has seen, drawn with the seed; steps that are not fragile alone.
+std::vector<BenchTest> walks(const BenchSearch& search, std::uint64_t seed, std::size_t count, std::size_t length);
+/// The steps from power-on to the end of an edge, as the search went.
+BenchTest wayTo(const BenchSearch& search, const BenchSearch::Edge& edge);
+
+}  // namespace rungproof

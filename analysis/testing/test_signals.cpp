@@ -1,0 +1,181 @@
+// Inputs are what the surroundings write: terminals, analog inputs, memory declared as external.
+#include "analysis/testing/test_signals.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+
+#include "ir/dialect.hpp"
+#include "ir/iec/syntax.hpp"
+#include "ir/overlap.hpp"
+#include "ir/s7200/plan.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr std::size_t mostValues = 9;
+
+bool isWithin(const Operand& operand, const ExternalRange& range) {
+  if (operand.area != range.first.area) return false;
+  const auto bitOf = [](const Operand& o) { return o.offset * 8 + (o.width == Width::Bit ? o.bit : 0U); };
+  const auto endOf = [&](const Operand& o) { return bitOf(o) + static_cast<std::uint32_t>(bits(o.width)); };
+  return bitOf(operand) >= bitOf(range.first) && endOf(operand) <= endOf(range.last);
+}
+
+/// Constants of instructions that name the operand too, which compares or computes with it, and all others of IEC
+/// programs, whose comparisons take both from the stack.
+std::vector<double> valuesFor(const Program& program, const TraceSignal& signal) {
+  if (signal.type == SignalType::Bool) return {0, 1};
+  std::set<double> constants;
+  const bool isStack = isIec(program.target) || isStep7(program.target);
+  for (const Pou& pou : program.pous) {
+    if (isIec(program.target) && pou.isBuiltIn) continue;
+    for (const Network& network : pou.networks) {
+      const bool names = std::ranges::any_of(network.instructions, [&](const Instruction& i) {
+        return std::ranges::any_of(i.operands, [&](const Operand& o) { return overlaps(o, signal.operand); });
+      });
+      if (!names) continue;
+      for (const Instruction& i : network.instructions) {
+        const bool namesIt =
+            std::ranges::any_of(i.operands, [&](const Operand& o) { return overlaps(o, signal.operand); });
+        if (!isStack && !namesIt) continue;
+        for (const Operand& o : i.operands) {
+          if (o.kind == OperandKind::Constant)
+            constants.insert(numberOf(static_cast<std::uint64_t>(o.value), signal.type, signal.width()));
+        }
+      }
+    }
+  }
+  std::vector<double> values{0};
+  const double range = std::exp2(signal.width()), low = signal.type == SignalType::Signed ? -range / 2 : 0,
+               high = signal.type == SignalType::Signed ? range / 2 - 1 : range - 1;
+  const auto add = [&](double value) {
+    const bool fits = signal.isReal() || (value >= low && value <= high && value == std::floor(value));
+    if (fits && std::isfinite(value) && std::ranges::find(values, value) == values.end() && values.size() < mostValues)
+      values.push_back(value);
+  };
+  for (const double constant : constants) {
+    for (const double value : {constant, constant - 1, constant + 1}) add(value);
+  }
+  if (values.size() == 1) add(1);
+  return values;
+}
+
+std::string foldedLast(std::string_view name) {
+  std::string folded(name.substr(name.rfind('.') == std::string_view::npos ? 0 : name.rfind('.') + 1));
+  for (char& c : folded) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return folded;
+}
+
+/// IEC 61131-3: names of what programs give out.
+std::set<std::string> outputNames(const Program& program) {
+  std::set<std::string> names;
+  if (program.syntax == nullptr) return names;
+  const auto add = [&](const iec::VariableSyntax& v, bool isOfProgram) {
+    const bool isLocated = v.address.size() > 1 && (v.address[1] == 'Q' || v.address[1] == 'q');
+    if (isLocated || (isOfProgram && v.section == iec::Section::Output)) names.insert(foldedLast(v.name));
+  };
+  for (const iec::BlockSyntax& block : program.syntax->blocks) {
+    if (block.kind != iec::BlockKind::Program) continue;
+    for (const iec::VariableSyntax& v : block.variables) add(v, true);
+  }
+  for (const iec::VariableSyntax& v : program.syntax->globals) add(v, false);
+  return names;
+}
+
+/// Whether some instruction of the program's own text writes the operand.
+bool isDriven(const Program& program, const Operand& operand) {
+  for (const Pou& pou : program.pous) {
+    for (const Network& network : pou.networks) {
+      for (const Instruction& i : network.instructions) {
+        for (std::size_t k = 0; k < i.operands.size() && k < i.desc->operandCount; ++k) {
+          if (i.desc->operands[k].direction != Direction::In && overlaps(i.operands[k], operand)) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+TestSignals testSignalsOf(const Program& program, const PropertySet& set) {
+  TestSignals result;
+  const bool isOfIec = isIec(program.target);
+  const std::set<std::string> given = isOfIec ? outputNames(program) : std::set<std::string>();
+  for (TraceSignal& signal : touchedSignals(program)) {
+    const Operand& operand = signal.operand;
+    if (isOfIec && signal.name.find("__") != std::string::npos) continue;  // of a chart
+    const bool isExternal =
+        std::ranges::any_of(set.externals, [&](const ExternalRange& r) { return isWithin(operand, r); });
+    const bool isTerminal = operand.area == Area::I || operand.area == Area::AI || operand.area == Area::PI;
+    if (isExternal || (isTerminal && !isDriven(program, operand))) {
+      const bool isKnown = std::ranges::any_of(
+          result.inputs, [&](const TestInput& input) { return overlaps(input.signal.operand, operand); });
+      if (!isKnown) result.inputs.push_back({signal, valuesFor(program, signal)});
+      continue;
+    }
+    const bool isOutput = isOfIec ? given.contains(foldedLast(signal.name)) && std::ranges::count(signal.name, '.') < 2
+                                  : operand.area == Area::Q || operand.area == Area::AQ || operand.area == Area::PQ;
+    if (isOutput && isDriven(program, operand)) result.outputs.push_back(signal);
+    const bool isMemory = operand.area != Area::T && operand.area != Area::SM && operand.area != Area::HC &&
+                          operand.area != Area::AC && signal.type != SignalType::Real;
+    if (isMemory) result.memory.push_back(signal);
+  }
+  // Of a part of a program what it writes stands for its outputs: bits, or numbers where there are none.
+  for (const bool isBit : {true, false}) {
+    if (!result.outputs.empty()) break;
+    for (const TraceSignal& signal : result.memory) {
+      if ((signal.type == SignalType::Bool) == isBit && isDriven(program, signal.operand))
+        result.outputs.push_back(signal);
+    }
+  }
+  return result;
+}
+
+bool dependsOnTime(const Program& program) {
+  const Plan plan(program);
+  if (!plan.timers.empty() || !plan.iecTimers.empty() || program.clockMemory) return true;
+  std::set<std::uint32_t> loaded;  // IEC 61131-3: first bytes of variables that are read
+  for (const Pou& pou : program.pous) {
+    for (const Network& network : pou.networks) {
+      for (const Instruction& i : network.instructions) {
+        if (i.desc->stl == "LOAD" && isIec(program.target)) loaded.insert(i.operands[0].offset);
+      }
+    }
+  }
+  for (const Pou& pou : program.pous) {
+    for (const Network& network : pou.networks) {
+      for (const Instruction& i : network.instructions) {
+        const bool passes = isIec(program.target) && i.desc->stl == "PASS" && i.operands.size() > 1 &&
+                            loaded.contains(i.operands[1].offset);
+        const bool readsTimer = std::ranges::any_of(i.operands, [](const Operand& o) {
+          const bool isClock = o.kind == OperandKind::Direct && o.area == Area::SM &&
+                               ((o.offset == 0 && (o.bit == 4 || o.bit == 5)) || (o.offset >= 22 && o.offset <= 26));
+          return (o.kind == OperandKind::Direct && o.area == Area::T) || isClock;
+        });
+        if (passes || readsTimer || roleOf(i) == Role::Todr) return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool hasEventsOrDevices(const Program& program) {
+  const Plan plan(program);
+  if (!plan.timedEvents.empty()) return true;
+  for (const Pou& pou : program.pous) {
+    if (pou.kind == PouKind::Interrupt) return true;
+    for (const Network& network : pou.networks) {
+      for (const Instruction& i : network.instructions) {
+        const Role role = roleOf(i);
+        if ((role >= Role::Atch && role <= Role::Rcv) || role == Role::Todw) return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace rungproof

@@ -1,0 +1,187 @@
+// The RLO of an S7-300/400: first check, AND groups joined by O, nesting levels (002:2697-2714), as trees.
+#include <map>
+#include <set>
+
+#include "engine/coverage/logic_reader.hpp"
+#include "ir/s7300/statement_role.hpp"
+
+namespace rungproof {
+
+namespace {
+
+class RloReader final : public LogicReader {
+ public:
+  explicit RloReader(CoverageMap& map) : LogicReader(map) { findStepWords(); }
+
+  void beginBlock(const Pou&) override {
+    state_ = {hidden(), std::nullopt, false};
+    levels_.clear();
+    loaded_ = nullptr;
+  }
+
+  void read(const Instruction& instruction, CoveragePlace place) override {
+    const StatementRole role = statementRole(instruction);
+    const Instruction* const loaded = std::exchange(loaded_, nullptr);
+    switch (role) {
+      case StatementRole::AndScan:
+      case StatementRole::OrScan:
+      case StatementRole::XorScan: {
+        const ScanJoin join = scanJoin(instruction);
+        return scan(join.role, leafOf(LeafKind::Contact, instruction, place, join.negated));
+      }
+      case StatementRole::OrOfAnds:
+        if (state_.firstCheck) state_.groups = rlo();
+        state_.firstCheck = false;
+        return;
+      case StatementRole::Open:
+        levels_.push_back({state_, scanJoin(instruction)});
+        state_ = {trees().constant(false), std::nullopt, false};
+        return;
+      case StatementRole::Close: {
+        if (levels_.empty()) return forget();
+        const LogicNode inner = rlo();
+        const auto [outer, join] = levels_.back();
+        levels_.pop_back();
+        state_ = outer;
+        return scan(join.role, join.negated ? trees().lnot(inner) : inner);
+      }
+      case StatementRole::Edge: {
+        const bool isRising = instruction.desc->stl == "FP";
+        const LogicNode input = isRising ? rlo() : trees().lnot(rlo());
+        state_ = {trees().join(LogicOp::And, input, leafOf(LeafKind::Edge, instruction, place)), std::nullopt, true};
+        return;
+      }
+      case StatementRole::Compare:
+      case StatementRole::CompareRealEqual:
+        state_ = {leafOf(LeafKind::Contact, instruction, place), std::nullopt, true};
+        return;
+      case StatementRole::Negate:
+        state_.group = trees().lnot(rlo());
+        state_.groups.reset();
+        return;
+      case StatementRole::SetRlo:
+      case StatementRole::ClearRlo:
+        state_ = {trees().constant(role == StatementRole::SetRlo), std::nullopt, false};
+        return;
+      case StatementRole::Assign:
+      case StatementRole::Latch:
+      case StatementRole::StartTimer:
+      case StatementRole::ResetTimer:
+      case StatementRole::FreeTimer:
+      case StatementRole::CountUp:
+      case StatementRole::CountDown:
+      case StatementRole::SetCounter:
+      case StatementRole::ResetCounter:
+      case StatementRole::FreeCounter: use(instruction, place); return end();
+      case StatementRole::JumpByRlo:
+      case StatementRole::JumpKeepingRlo:
+      case StatementRole::EndByRlo:
+      case StatementRole::CallByRlo: use(instruction, place); return forget();
+      case StatementRole::Transfer:
+        output(instruction, false, place);
+        if (loaded != nullptr && !instruction.operands.empty()) {
+          const Operand& to = instruction.operands[0];
+          if (to.kind == OperandKind::Direct && words_.contains({to.area, to.offset}))
+            transition({TransitionKind::StepWord, &instruction, toString(to) + " -> " + toString(loaded->operands[0]),
+                        static_cast<std::uint64_t>(loaded->operands[0].value), place});
+        }
+        return;
+      case StatementRole::Load: loaded_ = isConstantLoad(instruction) ? &instruction : nullptr; return;
+      case StatementRole::Call: output(instruction, false, place); return forget();
+      case StatementRole::JumpAlways:
+      case StatementRole::JumpByBr:
+      case StatementRole::JumpByResult:
+      case StatementRole::Loop:
+      case StatementRole::Distributor:
+      case StatementRole::End: return forget();
+      default:
+        if (instruction.desc->control == Control::LabelMark) forget();
+        return;
+    }
+  }
+
+ private:
+  struct State {
+    LogicNode group = 0;
+    std::optional<LogicNode> groups{};  ///< AND groups that stand before this one
+    bool firstCheck = false;            ///< /FC: the string has begun
+  };
+
+  LogicNode rlo() {
+    if (!state_.groups) return state_.group;
+    return state_.firstCheck ? trees().join(LogicOp::Or, state_.group, *state_.groups) : *state_.groups;
+  }
+  void scan(StatementRole role, LogicNode value) {
+    if (role == StatementRole::AndScan) {
+      state_.group = state_.firstCheck ? trees().join(LogicOp::And, state_.group, value) : value;
+      state_.firstCheck = true;
+      return;
+    }
+    const bool joins = state_.firstCheck || state_.groups;
+    const LogicOp op = role == StatementRole::OrScan ? LogicOp::Or : LogicOp::Xor;
+    state_.group = joins ? trees().join(op, rlo(), value) : value;
+    state_.groups.reset();
+    state_.firstCheck = true;
+  }
+  void use(const Instruction& instruction, CoveragePlace place) {
+    output(instruction, true, place);
+    decide(instruction, 0, rlo(), place);
+  }
+  /// The string ends; its RLO stays for who uses it next.
+  void end() {
+    state_.group = rlo();
+    state_.groups.reset();
+    state_.firstCheck = false;
+  }
+  void forget() { state_ = {hidden(), std::nullopt, false}; }
+
+  static bool isConstantLoad(const Instruction& instruction) {
+    return statementRole(instruction) == StatementRole::Load && !instruction.operands.empty() &&
+           instruction.operands[0].kind == OperandKind::Constant;
+  }
+
+  void findStepWords() {
+    using Word = std::pair<Area, std::uint32_t>;
+    std::map<Word, std::set<std::int64_t>> compared, moved;
+    std::set<Word> otherwise;
+    for (const Pou& pou : program().pous) {
+      for (const Network& network : pou.networks) {
+        const std::vector<Instruction>& list = network.instructions;
+        for (std::size_t i = 0; i < list.size(); ++i) {
+          const StatementRole role = statementRole(list[i]);
+          const auto isWord = [&](std::size_t at) {
+            return statementRole(list[at]) == StatementRole::Load && !list[at].operands.empty() &&
+                   list[at].operands[0].kind == OperandKind::Direct;
+          };
+          if (i >= 2 && comparesForEquality(list[i]) && isWord(i - 2) && isConstantLoad(list[i - 1]))
+            compared[{list[i - 2].operands[0].area, list[i - 2].operands[0].offset}].insert(
+                list[i - 1].operands[0].value);
+          if (role != StatementRole::Transfer || list[i].operands.empty() ||
+              list[i].operands[0].kind != OperandKind::Direct)
+            continue;
+          const Word word{list[i].operands[0].area, list[i].operands[0].offset};
+          if (i >= 1 && isConstantLoad(list[i - 1]))
+            moved[word].insert(list[i - 1].operands[0].value);
+          else
+            otherwise.insert(word);
+        }
+      }
+    }
+    for (const auto& [word, values] : moved) {
+      const auto met = compared.find(word);
+      if (values.size() > 1 && met != compared.end() && met->second.size() > 1 && !otherwise.contains(word))
+        words_.insert(word);
+    }
+  }
+
+  State state_;
+  std::vector<std::pair<State, ScanJoin>> levels_;
+  const Instruction* loaded_ = nullptr;
+  std::set<std::pair<Area, std::uint32_t>> words_;
+};
+
+}  // namespace
+
+std::unique_ptr<LogicReader> rloReader(CoverageMap& map) { return std::make_unique<RloReader>(map); }
+
+}  // namespace rungproof

@@ -1,0 +1,249 @@
+// All texts are made first; then they are written, and what was written is taken back if one cannot be.
+#include "frontend/testing/generate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "analysis/encoding/asked_properties.hpp"
+#include "analysis/witness/follower.hpp"
+#include "analysis/witness/state_pool.hpp"
+#include "frontend/explain/certificate_head.hpp"
+#include "frontend/testing/table_reader.hpp"
+#include "frontend/testing/table_run.hpp"
+#include "frontend/testing/test_output.hpp"
+
+namespace rungproof {
+
+namespace {
+
+struct FileToWrite {
+  std::string name, form, text;
+};
+
+/// What the prover said of the goals behind a missing entry.
+class GoalStates {
+ public:
+  GoalStates(const CoverageRecorder& recorder, const std::map<CoverageGoal, GoalAnswer>& answers,
+             std::vector<FileToWrite>& proofs)
+      : recorder_(recorder), answers_(answers), proofs_(proofs) {}
+
+  void settle(CoverageResult& result) {
+    using Kind = CoverageGoal::Kind;
+    const CoverageMap& map = recorder_.map();
+    std::size_t entry = 0;
+    for (std::size_t i = 0; i < map.networks().size(); ++i) {
+      if (!recorder_.networkReached(i)) settle(result.networks, entry++, {{Kind::Network, i}});
+    }
+    entry = 0;
+    for (std::size_t i = 0; i < map.leaves().size(); ++i) {
+      if (map.leaves()[i].kind != LeafKind::Contact) continue;
+      std::vector<CoverageGoal> goals;
+      for (const bool value : {false, true}) {
+        if (!recorder_.contactSeen(i, value)) goals.push_back({Kind::Contact, i, 0, value});
+      }
+      if (!goals.empty()) settle(result.contacts, entry++, goals);
+    }
+    entry = 0;
+    for (std::size_t i = 0; i < map.transitions().size(); ++i) {
+      if (!recorder_.transitionTaken(i)) settle(result.transitions, entry++, {{Kind::Transition, i}});
+    }
+    entry = 0;
+    for (std::size_t d = 0; d < map.decisions().size(); ++d) {
+      const std::vector<std::uint32_t>& leaves = map.decisions()[d].leaves;
+      for (std::size_t i = 0; i < leaves.size(); ++i) {
+        if (map.leaves()[leaves[i]].kind != LeafKind::Contact || recorder_.pair(d, i) != PairState::None) continue;
+        std::vector<CoverageGoal> goals;
+        for (const bool value : {false, true}) {
+          if (!recorder_.conditionDecided(d, i, value)) goals.push_back({Kind::Condition, d, i, value});
+        }
+        settle(result.mcdc, entry++, goals);
+      }
+    }
+  }
+
+ private:
+  static std::string_view whatOf(const CoverageGoal& goal) {
+    switch (goal.kind) {
+      case CoverageGoal::Kind::Network: return "no run lets power flow to a coil or box";
+      case CoverageGoal::Kind::Contact: return goal.value ? "its bit is never 1" : "its bit is never 0";
+      case CoverageGoal::Kind::Transition: return "it is never taken";
+      default: return goal.value ? "as 1 it never decides the outcome" : "as 0 it never decides the outcome";
+    }
+  }
+
+  /// One goal that no run reaches is enough.
+  void settle(MeasureResult& measure, std::size_t entry, const std::vector<CoverageGoal>& goals) {
+    MissingGoal& missing = measure.missing[entry];
+    missing.state = MissingGoal::State::Open;
+    for (const CoverageGoal& goal : goals) {
+      const auto answer = answers_.find(goal);
+      if (answer == answers_.end()) {
+        missing.reason += "; not proved either";
+        continue;
+      }
+      const GoalAnswer& found = answer->second;
+      if (found.outcome == Outcome::Unreachable) {
+        missing.state = MissingGoal::State::Unreachable;
+        missing.reason = fmt::format("proved impossible: {}{}{}", whatOf(goal),
+                                     found.restriction.empty() ? "" : ", " + found.restriction,
+                                     found.method.empty() ? "" : " (" + found.method + ")");
+        if (!found.certificate.empty()) {
+          missing.certificate = fmt::format("proofs/goal_{}.smt2", proofs_.size() + 1);
+          proofs_.push_back({missing.certificate, "smt2", found.certificate});
+        }
+        ++measure.unreachable;
+        --measure.open;
+        return;
+      }
+      if (found.outcome == Outcome::Reachable)
+        missing.reason += "; the prover has a run, which no test at the bench repeats";
+      else
+        missing.reason += fmt::format("; open: {}", verdictText(found.outcome, 0));
+    }
+  }
+
+  const CoverageRecorder& recorder_;
+  const std::map<CoverageGoal, GoalAnswer>& answers_;
+  std::vector<FileToWrite>& proofs_;
+};
+
+/// Whether a run meets what a requirement speaks of: its premise, or a change of what it reads.
+class Exercise {
+ public:
+  explicit Exercise(const Property& property) : premise_(premiseOf(property)) {
+    if (premise_) follower_.emplace(*premise_);
+    for (const Operand* operand : addressesOf(property)) read_.push_back(*operand);
+  }
+  void scan(const Concrete::Store& state, const ReplayScan& scan, bool isFirst) {
+    if (isMet_) return;
+    if (follower_) {
+      isMet_ = follower_->evaluate(domain_, state, scan, isFirst);
+      return;
+    }
+    std::vector<std::uint64_t> now;
+    for (const Operand& operand : read_) now.push_back(valueIn(state, operand));
+    isMet_ = !isFirst && now != before_;
+    before_ = std::move(now);
+  }
+  bool isMet() const { return isMet_; }
+
+ private:
+  std::optional<Property> premise_;
+  std::optional<Follower> follower_;
+  StillOutside outside_;
+  Concrete domain_{outside_};
+  Operands read_;
+  std::vector<std::uint64_t> before_;
+  bool isMet_ = false;
+};
+
+/// Plays each test once more for what the sheet says of it.
+void describeTests(TestSheet& sheet, CoverageRecorder& all, const PropertySet& set, const GenerateRequest& request) {
+  const CoverageMap& map = all.map();
+  for (const Property& property : set.properties) {
+    if (property.isGoal()) sheet.requirements.push_back({property.name, property.text, {}});
+  }
+  for (const TestCase& test : sheet.table.tests) {
+    CoverageRecorder recorder(map);
+    std::vector<std::unique_ptr<Exercise>> exercises;
+    for (const Property& property : set.properties) {
+      if (property.isGoal()) exercises.push_back(std::make_unique<Exercise>(property));
+    }
+    Simulator simulator(map.program(), request.engine);
+    TestPlayOptions play;
+    play.engine = request.engine;
+    play.length = scanLengthsOf(request.shownTime, request.engine.seed);
+    play.stopsAtFailure = false;
+    play.observer = &recorder;
+    play.beforeScan = [&](std::uint64_t) { recorder.beginScan(); };
+    play.afterScan = [&](const Simulator& now, std::size_t) {
+      ReplayScan scan;
+      scan.lengthMs = std::max<std::uint32_t>(now.lastScanUs() / 1000, 1);
+      for (const std::unique_ptr<Exercise>& one : exercises) one->scan(now.store(), scan, now.scanCount() == 1);
+    };
+    playTest(simulator, sheet.table, test, play);
+    sheet.purposes.push_back(purposeOf(sheet.table, test));
+    std::vector<std::string>& networks = sheet.networks.emplace_back();
+    for (std::size_t i = 0; i < map.networks().size(); ++i) {
+      if (recorder.networkReached(i)) networks.push_back(map.placeText(map.networks()[i]));
+    }
+    for (std::size_t i = 0; i < exercises.size(); ++i) {
+      if (exercises[i]->isMet()) sheet.requirements[i].tests.push_back(test.name);
+    }
+    all.add(recorder);
+  }
+}
+
+bool writeAll(const Context& context, const std::string& directory, const std::vector<FileToWrite>& files,
+              std::vector<std::string>& written) {
+  namespace fs = std::filesystem;
+  std::error_code error;  // a folder that cannot be made shows when a file is written
+  for (const FileToWrite& file : files) {
+    const fs::path path = fs::path(directory) / file.name;
+    fs::create_directories(path.parent_path(), error);
+    if (context.write({file.form, path.string()}, file.text)) {
+      written.push_back(path.string());
+      continue;
+    }
+    for (const std::string& name : written) fs::remove(name, error);
+    written.clear();
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool generateInto(TestReport& report, TestTable& table, const Context& context, const CoverageMap& map,
+                  const PropertySet& set, const GenerateRequest& request, const ProverOptions& prover) {
+  GeneratorOptions options;
+  options.engine = request.engine;
+  options.lowUs = static_cast<std::uint32_t>(request.scanTime.low.count());
+  options.highUs = static_cast<std::uint32_t>(request.scanTime.high.count());
+  options.shownUs = static_cast<std::uint32_t>(request.shownTime.low.count());
+  options.measures = request.measures;
+  options.changesTogether = request.changesTogether;
+  options.seed = request.engine.seed;
+  options.prover = prover;
+  options.prover.certificates = true;
+  options.prover.unread = request.unread;
+  if (const auto timeout = context.settings.isSet(Opt::Timeout) ? context.settings.timeout() : std::nullopt)
+    options.seconds = static_cast<double>(timeout->count()) / 1e6;
+  GeneratedTests made = generateTests(map, set, options);
+
+  std::vector<FileToWrite> proofs;
+  TestSheet sheet;
+  sheet.title = request.title;
+  sheet.hash = request.hash;
+  sheet.table = made.table;
+  CoverageRecorder all(map);
+  describeTests(sheet, all, set, request);
+  report.coverage = coverageOf(all);
+  GoalStates(all, made.answers, proofs).settle(*report.coverage);
+  report.asked = {request.measures.networks, request.measures.contacts, request.measures.transitions,
+                  request.measures.mcdc};
+  sheet.coverage = *report.coverage;
+  sheet.basis.push_back(
+      fmt::format("Every value to be seen was checked in {} runs: scans of {:g} ms to {:g} ms, equally long and "
+                  "changing, inputs up "
+                  "to two scans early or late. Steps with the remark 'timing': {}.",
+                  made.plays, static_cast<double>(options.lowUs) / 1000, static_cast<double>(options.highUs) / 1000,
+                  made.timingRows));
+  made.table.file = (std::filesystem::path(request.directory) / "tests.csv").string();
+
+  Json coverage = {{"instructions", request.read.instructions},
+                   {"understood", request.read.understood},
+                   {"approximated", request.read.approximated}};
+  addMeasures(coverage, *report.coverage);
+  std::vector<FileToWrite> files{{"tests.csv", "csv", testTableText(made.table)},
+                                 {"sheet.html", "html", sheetHtml(sheet)},
+                                 {"sheet.md", "markdown", sheetMarkdown(sheet)},
+                                 {"coverage.json", "json", coverage.dump(2) + "\n"}};
+  files.insert(files.end(), proofs.begin(), proofs.end());
+  table = std::move(made.table);
+  return writeAll(context, request.directory, files, report.written);
+}
+
+}  // namespace rungproof

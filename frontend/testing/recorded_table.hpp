@@ -1,0 +1,16 @@
+// A recorded or simulated trace as a test table, so that a mended fault stays mended: what the inputs did is set, what
+// the outputs did is expected, one row for each stretch in which nothing of both changes. Tested by
+// tests/tables/test_command_test.cpp.
+#pragma once
+
+#include <string>
+
+#include "analysis/property.hpp"
+#include "engine/testing/test_table.hpp"
+
+namespace rungproof {
+
+/// `name`: of the test. Columns of the trace that are no inputs and no outputs are passed over.
+TestTable recordedTable(const Program& program, const PropertySet& set, const Trace& trace, const std::string& name);
+
+}  // namespace rungproof

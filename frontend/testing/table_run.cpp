@@ -1,0 +1,222 @@
+// A test is played until its first failure; then once more up to some scans behind it, to show them.
+#include "frontend/testing/table_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/proof/prover.hpp"
+#include "engine/instruction_recorder.hpp"
+#include "frontend/picture/network_view.hpp"
+#include "frontend/simulation/comparison.hpp"
+#include "frontend/simulation/witness_drawing.hpp"
+#include "ir/hazard.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr std::size_t columnsShownAround = 8;
+
+/// Hands on what is observed, and begins each scan.
+TestPlayOptions playOptionsOf(const TableRunOptions& options) {
+  TestPlayOptions play;
+  play.engine = options.engine;
+  play.length = scanLengthsOf(options.scanTime, options.engine.seed);
+  return play;
+}
+
+/// The networks that drive the signal, lit in the scan that the recorder has seen.
+ShownScan drawn(const Program& program, const TraceSignal& signal, const InstructionRecorder& recorder,
+                const TableRunOptions& options) {
+  ProofResult asked;
+  ExprNode node;
+  node.op = ExprOp::Address;
+  node.operand = signal.operand;
+  asked.property.first.nodes.push_back(node);
+  ViewOptions view;
+  view.form = options.shows.value_or(Form::Ladder);
+  view.recorder = &recorder;
+  ShownScan shown;
+  for (const auto& [pou, network] : networksThatMatter(program, asked)) {
+    const NetworkView picture = networkView(program, *pou, *network, view);
+    ShownNetwork& one =
+        shown.networks.emplace_back(ShownNetwork{fmt::format("{}, {}", pou->name, picture.heading), {}, {}});
+    if (options.hasPage) one.svg = pictureSvg(picture);
+    if (options.shows) one.text = contentLines(picture, {});
+  }
+  return shown;
+}
+
+/// The scans around a failure, and its drawing.
+void showFailure(const Program& program, const TestTable& table, const TestCase& test, const TableRunOptions& options,
+                 const TestFailure& failure, TestResult& result) {
+  std::vector<TraceSignal> signals;
+  const auto addColumn = [&](const TraceSignal& signal) {
+    const bool isThere = std::ranges::any_of(
+        signals, [&](const TraceSignal& s) { return toString(s.operand) == toString(signal.operand); });
+    if (!isThere && signals.size() < columnsShownAround) signals.push_back(signal);
+  };
+  if (failure.signal) addColumn(table.expects[*failure.signal]);
+  for (std::size_t i = 0; i < table.sets.size(); ++i) {
+    const bool isSet = std::ranges::any_of(test.rows, [&](const TestRow& row) { return row.sets[i].has_value(); });
+    if (isSet && table.sets[i].target == StimulusTarget::Memory) addColumn(table.sets[i].signal);
+  }
+  for (std::size_t i = 0; i < table.expects.size(); ++i) addColumn(table.expects[i]);
+  for (const TraceSignal& signal : signals) result.columns.push_back(signal.name);
+  const bool draws = failure.signal && (options.shows || options.hasPage);
+  InstructionRecorder recorder(draws ? program.instructionCount() : 0);
+  TestPlayOptions play = playOptionsOf(options);
+  play.stopsAtFailure = false;
+  if (draws) play.observer = &recorder;
+  bool isFar = false;
+  play.beforeScan = [&](std::uint64_t scan) {
+    if (draws) recorder.beginScan(scan == failure.scan);
+    isFar = scan > failure.scan + scansAround;
+  };
+  play.afterScan = [&](const Simulator& simulator, std::size_t) {
+    const std::uint64_t scan = simulator.scanCount();
+    if (scan + scansAround < failure.scan || isFar) return;
+    TestResult::Scan& row = result.around.emplace_back();
+    row.scan = scan;
+    row.timeMs = static_cast<double>(simulator.timeUs()) / 1000;
+    const std::vector<std::optional<double>> values = sampleValues(simulator.store(), signals);
+    for (std::size_t i = 0; i < signals.size(); ++i)
+      row.values.push_back(values[i] ? numberText(*values[i], signals[i].type) : "");
+    if (draws && scan == failure.scan) {
+      result.shown.push_back(drawn(program, table.expects[*failure.signal], recorder, options));
+      result.shown.back().scan = scan;
+      result.shown.back().timeMs = row.timeMs;
+    }
+  };
+  Simulator again(program, options.engine);
+  playTest(again, table, test, play);
+}
+
+TestResult runTest(const Program& program, const TestTable& table, const TestCase& test,
+                   const TableRunOptions& options) {
+  TestResult result;
+  result.name = test.name;
+  result.table = table.file;
+  result.steps = test.rows.size();
+  result.isDecided = std::ranges::any_of(test.rows, [](const TestRow& row) {
+    return std::ranges::any_of(row.expects, [](const auto& cell) { return cell.has_value(); });
+  });
+  Simulator simulator(program, options.engine);
+  TestPlayOptions play = playOptionsOf(options);
+  // What is covered does not depend on what is expected: the test is played to its end.
+  play.stopsAtFailure = options.coverage == nullptr;
+  if (options.coverage != nullptr) {
+    play.observer = options.coverage;
+    play.beforeScan = [&](std::uint64_t) { options.coverage->beginScan(); };
+  }
+  const TestPlay played = playTest(simulator, table, test, play);
+  if (played.failures.empty()) return result;
+  const TestFailure& failure = played.failures.front();
+  const TestRow& row = test.rows[failure.step];
+  result.passed = false;
+  result.step = failure.step + 1;
+  result.stepText = row.step;
+  result.line = row.line;
+  result.scan = failure.scan;
+  result.timeMs = static_cast<double>(failure.timeUs) / 1000;
+  if (failure.signal) {
+    const TraceSignal& signal = table.expects[*failure.signal];
+    result.signal = signal.name;
+    result.expected = rangeText(*row.expects[*failure.signal], signal.type);
+    result.actual = numberText(failure.actual, signal.type);
+  } else if (const RunTimeError* fatal = simulator.errors().fatal()) {
+    result.reason = fmt::format("the CPU stopped: {}", hazardInfo(fatal->hazard).text);
+  }
+  showFailure(program, table, test, options, failure, result);
+  return result;
+}
+
+MissingGoal missing(std::string text, std::string reason) { return {std::move(text), std::move(reason)}; }
+
+}  // namespace
+
+ScanLength scanLengthsOf(const ScanTime& range, std::uint64_t seed) {
+  const auto limited = [](Duration duration) {
+    return static_cast<std::uint64_t>(std::min<std::int64_t>(duration.count(), 60'000'000));
+  };
+  const std::uint64_t low = limited(range.low), high = limited(range.high);
+  if (low == high) return [low](std::uint64_t) { return static_cast<std::uint32_t>(low); };
+  const std::uint64_t unit = low % 1000 == 0 && high % 1000 == 0 ? 1000 : 1;
+  return [=](std::uint64_t scan) {
+    std::uint64_t x = seed * 0x9E3779B97F4A7C15ULL + scan;  // splitmix64
+    x = (x ^ x >> 30) * 0xBF58476D1CE4E5B9ULL;
+    x = (x ^ x >> 27) * 0x94D049BB133111EBULL;
+    x ^= x >> 31;
+    return static_cast<std::uint32_t>(low + x % ((high - low) / unit + 1) * unit);
+  };
+}
+
+std::vector<TestResult> runTable(const Program& program, const TestTable& table, const TableRunOptions& options) {
+  std::vector<TestResult> results;
+  for (const TestCase& test : table.tests) results.push_back(runTest(program, table, test, options));
+  return results;
+}
+
+std::string contactText(const CoverageMap& map, std::uint32_t leaf) {
+  const CoverageLeaf& contact = map.leaves()[leaf];
+  return map.placeText(contact.place) + " " + map.instructionText(*contact.instruction);
+}
+
+std::string conditionText(const CoverageMap& map, std::size_t decision, std::size_t condition) {
+  const Decision& d = map.decisions()[decision];
+  return fmt::format("{} {}: {}", map.placeText(d.place), map.instructionText(*d.instruction),
+                     map.instructionText(*map.leaves()[d.leaves[condition]].instruction));
+}
+
+std::string transitionText(const CoverageMap& map, std::size_t transition) {
+  const StepTransition& step = map.transitions()[transition];
+  return map.placeText(step.place) + " " + step.text;
+}
+
+CoverageResult coverageOf(const CoverageRecorder& recorder) {
+  const CoverageMap& map = recorder.map();
+  CoverageResult result;
+  const auto count = [](MeasureResult& measure, bool isCovered, const auto& goal) {
+    ++measure.total;
+    if (isCovered) {
+      ++measure.covered;
+      return;
+    }
+    ++measure.open;
+    measure.missing.push_back(goal());
+  };
+  for (std::size_t i = 0; i < map.networks().size(); ++i)
+    count(result.networks, recorder.networkReached(i),
+          [&] { return missing(map.placeText(map.networks()[i]), "no power flow reached a coil or box"); });
+  for (std::uint32_t leaf = 0; leaf < map.leaves().size(); ++leaf) {
+    if (map.leaves()[leaf].kind != LeafKind::Contact) continue;
+    const bool one = recorder.contactSeen(leaf, true), zero = recorder.contactSeen(leaf, false);
+    count(result.contacts, one && zero, [&] {
+      return missing(contactText(map, leaf), one    ? "its bit was never 0"
+                                             : zero ? "its bit was never 1"
+                                                    : "it was never executed");
+    });
+  }
+  for (std::size_t i = 0; i < map.transitions().size(); ++i)
+    count(result.transitions, recorder.transitionTaken(i),
+          [&] { return missing(transitionText(map, i), "it was not taken"); });
+  for (std::size_t d = 0; d < map.decisions().size(); ++d) {
+    const Decision& decision = map.decisions()[d];
+    for (std::size_t i = 0; i < decision.leaves.size(); ++i) {
+      if (map.leaves()[decision.leaves[i]].kind != LeafKind::Contact) continue;
+      const PairState pair = recorder.pair(d, i);
+      if (pair == PairState::Unique) ++result.uniqueCause;
+      if (pair == PairState::Masking) ++result.masking;
+      count(result.mcdc, pair != PairState::None, [&] {
+        const bool one = recorder.conditionDecided(d, i, true), zero = recorder.conditionDecided(d, i, false);
+        return missing(conditionText(map, d, i), one    ? "it did not decide the outcome as 0"
+                                                 : zero ? "it did not decide the outcome as 1"
+                                                        : "it never decided the outcome");
+      });
+    }
+  }
+  return result;
+}
+
+}  // namespace rungproof

@@ -1,0 +1,39 @@
+// The sheet that is signed at the machine: for each test its purpose, its steps with what is to be done, how long to
+// wait and what must be seen, with a box to tick; requirements with the tests that exercise them; the hash of the
+// program and the tool. As an HTML page for A4 and as Markdown. Tested by tests/tables/generate_command_test.cpp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/property.hpp"
+#include "engine/coverage/coverage_map.hpp"
+#include "engine/testing/test_table.hpp"
+#include "frontend/testing/test_results.hpp"
+
+namespace rungproof {
+
+/// A requirement of a property file and the tests that exercise it.
+struct SheetRequirement {
+  std::string name, text;
+  std::vector<std::string> tests;  ///< names; empty: no test does
+};
+
+struct TestSheet {
+  std::string title;               ///< first file of the program
+  std::string hash;                ///< SHA-256 of its text
+  std::vector<std::string> basis;  ///< CPU, scan times, how expectations were checked
+  TestTable table;
+  std::vector<std::string> purposes;               ///< by test
+  std::vector<std::vector<std::string>> networks;  ///< by test: "MAIN:4"
+  std::vector<SheetRequirement> requirements;
+  CoverageResult coverage;
+};
+
+/// What a test shows, in words: which outputs come and go, and by what.
+std::string purposeOf(const TestTable& table, const TestCase& test);
+
+std::string sheetHtml(const TestSheet& sheet);
+std::string sheetMarkdown(const TestSheet& sheet);
+
+}  // namespace rungproof
