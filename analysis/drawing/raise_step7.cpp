@@ -37,7 +37,9 @@ class RaisingStep7 {
   RaisingStep7(const Network& network, Form form) : network_(network), form_(form) {}
 
   Raised run() {
-    if (!network_.complete) return {std::nullopt, "a line of the network could not be read", nullptr};
+    // Where all that it may write is known, every statement is there, and some operand is in no file.
+    const bool isLost = !network_.complete && !network_.mayWrite;
+    if (isLost) return {std::nullopt, "a line of the network could not be read", nullptr};
     drawing_.elements.emplace_back();  // the rail
     for (; at_ < network_.instructions.size() && reason_.empty(); ++at_) step();
     if (reason_.empty() && (levels_.size() > 1 || isOpenEnded_ || !loaded_.empty())) refuse("ends without a coil");

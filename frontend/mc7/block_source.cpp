@@ -121,7 +121,6 @@ class BodyWriter {
       into.damage = borderFault_;
       return std::nullopt;
     }
-    into.networks = ends_.size();
     nameLabels();
     nameLocals();
     std::string body;

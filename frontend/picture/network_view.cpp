@@ -202,8 +202,10 @@ NetworkView networkView(const Program& program, const Pou& pou, const Network& n
     view.statements = sourceLines(program, network);
     return view;
   }
-  if (!network.complete) view.reason = "a line of the network could not be read";
-  if (options.form != Form::Stl && network.complete && !network.instructions.empty()) {
+  // Statements whose operand no file explains are there all the same.
+  const bool hasStatements = network.complete || (network.mayWrite && network.drawing == nullptr);
+  if (!hasStatements) view.reason = "a line of the network could not be read";
+  if (options.form != Form::Stl && hasStatements && !network.instructions.empty()) {
     const Raised raised = drawingOf(network, options, program.target);
     view.reason = raised.reason;
     if (raised.drawing) view.reason = sizeReason(network, &*raised.drawing);

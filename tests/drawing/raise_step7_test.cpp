@@ -45,6 +45,13 @@ std::string drawn7(const std::string& statements, Form form = Form::Ladder) {
   return text;
 }
 
+// DB 9 is in no file: the statement is there all the same, and so is its contact. A line that is no statement is lost.
+TEST(RaiseStep7, OperandsThatNoFileExplains) {
+  EXPECT_EQ(drawn7("A DB9.DBX 0.1;A I 0.0;= Q 0.0;"), "= Q0.0 <- and(DB9.DBX 0.1, I0.0)");
+  EXPECT_EQ(drawn7("A \"Nowhere\";= Q 0.0;"), "= Q0.0 <- \"Nowhere\"");
+  EXPECT_EQ(drawn7("A I 0.0;FLY 5;= Q 0.0;"), "- a line of the network could not be read");
+}
+
 TEST(RaiseStep7, SeriesAndBranches) {
   EXPECT_EQ(drawn7("A I 0.0; AN I 0.1; = Q 4.0;"), "= Q4.0 <- and(I0.0, !I0.1)");
   EXPECT_EQ(drawn7("O I 0.0; O I 0.1; AN I 0.2; S M 0.0;"), "S M0.0 <- and(or(I0.0, I0.1), !I0.2)");

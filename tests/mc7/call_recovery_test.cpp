@@ -37,7 +37,11 @@ std::string textBeside(StoredBlock caller) {
   const std::vector<StoredBlock> blocks = {
       blockOf({BlockKind::Fb, 5}, pumpInterface, {}),
       blockOf({BlockKind::Fc, 7}, "VAR_INPUT\n A : BOOL ;\n B : INT ;\nEND_VAR\nVAR_OUTPUT\n C : INT ;\nEND_VAR\n", {}),
-      blockOf({BlockKind::Fc, 8}, "VAR_INPUT\n P : ANY ;\n T : TIMER ;\nEND_VAR\n", {}), std::move(caller)};
+      blockOf({BlockKind::Fc, 8}, "VAR_INPUT\n P : ANY ;\n T : TIMER ;\nEND_VAR\n", {}),
+      blockOf({BlockKind::Fc, 9},
+              "VAR_INPUT\n TV : S5TIME ;\nEND_VAR\nVAR_IN_OUT\n D : STRUCT\n  a : BOOL ;\n END_STRUCT ;\nEND_VAR\n",
+              {}),
+      std::move(caller)};
   return mc7::sourcesOf(blocks, false).back().text;
 }
 
@@ -74,6 +78,26 @@ TEST(Mc7Calls, AnyAndTimer) {
                          {"BLD 1", "= L 20.0", "L W#16#1002", "T LW 22", "L 10", "T LW 24", "L 9", "T LW 26",
                           "L P#DBX 4.0", "T LD 28", "UC FC 8 {P#V 22.0, DW#16#50000}", "BLD 2"}));
   expectHas(text, "CALL  FC 8 (P := P#DB9.DBX 4.0 BYTE 10, T := T 5) ;");
+}
+
+// In a function block AR2 is kept around a call that hands a structure over by its pointer. 16#1100 is 100 x 100 ms.
+TEST(Mc7Calls, StructureInAFunctionBlock) {
+  const std::string text =
+      textBeside(blockOf({BlockKind::Fb, 6}, "VAR\n N : INT ;\nEND_VAR\n",
+                         {"BLD 1", "= L 18.0", "TAR2 LD 19", "L 4352", "T LW 24", "L 11", "T LW 26", "L P#DBX 6.0",
+                          "T LD 28", "UC FC 9 {P#V 24.0, P#V 26.0}", "LAR2 LD 19", "BLD 2"}));
+  expectHas(text, "CALL  FC 9 (TV := S5T#10S, D := P#DB11.DBX 6.0) ;");
+  expectLacks(text, "AR2");
+}
+
+// 10 s in the base of 1 s, 16#2010, has no S5T of its own: S5T#10S means 16#1100. A word that is no S5TIME stays.
+TEST(Mc7Calls, TimesInAnotherBaseStayWords) {
+  for (const auto& [load, word] : {std::pair{"L W#16#2010", "W#16#2010"}, {"L W#16#00AB", "W#16#AB"}}) {
+    const std::string text = textBeside(blockOf(main, "",
+                                                {"BLD 1", "= L 18.0", load, "T LW 24", "L 11", "T LW 26", "L P#DBX 6.0",
+                                                 "T LD 28", "UC FC 9 {P#V 24.0, P#V 26.0}", "BLD 2"}));
+    expectHas(text, std::string("CALL  FC 9 (TV := ") + word);
+  }
 }
 
 TEST(Mc7Calls, InstanceBlock) {
