@@ -107,7 +107,8 @@ class RaisingStep7 {
       case StatementRole::ResetCounter: return coil({});
       case StatementRole::StartTimer:
       case StatementRole::SetCounter: return start();
-      case StatementRole::JumpKeepingRlo: return box();
+      case StatementRole::JumpKeepingRlo: return enabledCall() ? void() : box();
+      case StatementRole::Call: return call();
       default: return refuse("has no picture in LAD or FBD");
     }
   }
@@ -137,7 +138,8 @@ class RaisingStep7 {
     LogicLevel& here = level();
     isOpenEnded_ = true;
     if (here.isFresh) {
-      if (hasCoil_ && levels_.size() == 1 && !isBranch) return refuse("begins a second rung in the network");
+      if (hasCoil_ && levels_.size() == 1 && !isBranch && !isCallAhead())
+        return refuse("begins a second rung in the network");
       here.closed = value;
       here.group = 0;
       here.hasOr = here.isFresh = false;
@@ -234,6 +236,76 @@ class RaisingStep7 {
     at_ += match->length - 1;
     isOpenEnded_ = match->passesOn;
     if (match->passesOn) level() = LogicLevel{element, 0, false, false, {}};
+  }
+
+  // ---- Calls ----------------------------------------------------------------------------------------
+
+  /// What stands in front of a call may be made for one of its pins.
+  bool isCallAhead() const {
+    return std::any_of(network_.instructions.begin() + static_cast<std::ptrdiff_t>(at_), network_.instructions.end(),
+                       [](const Instruction& each) { return statementRole(each) == StatementRole::Call; });
+  }
+
+  void call() {
+    if (levels_.size() > 1) return refuse("stands inside of parentheses");
+    if (isOpenEnded_) return refuse("does not ask the logic in front of it");
+    callBox(0, true);
+  }
+
+  /// JNB around a call: its EN. Behind the label A BR hands ENO on.
+  bool enabledCall() {
+    const std::vector<Instruction>& all = network_.instructions;
+    const bool isCall = at_ + 2 < all.size() && statementRole(all[at_ + 1]) == StatementRole::Call &&
+                        all[at_ + 2].desc->control == Control::LabelMark &&
+                        all[at_ + 2].operands[0].value == all[at_].operands[0].value;
+    if (!isCall || levels_.size() > 1 || level().isFresh) return false;
+    const std::uint32_t enable = ended();
+    const std::size_t behind = at_ + 3;
+    const bool passesOn = behind < all.size() && statementRole(all[behind]) == StatementRole::AndScan &&
+                          all[behind].operands[0].kind == OperandKind::Constant && all[behind].operands[0].text == "BR";
+    ++at_;
+    const std::uint32_t element = callBox(enable, !passesOn);
+    at_ = passesOn ? behind : behind - 1;
+    isOpenEnded_ = passesOn;
+    if (passesOn) level() = LogicLevel{element, 0, false, false, {}};
+    return true;
+  }
+
+  /// Bits that the compiler made in front of the call are power inputs; the first one that it reads behind it is the
+  /// power output, unless ENO is.
+  std::uint32_t callBox(std::uint32_t enable, bool mayFlowOut) {
+    Operands operands = current().operands;
+    std::vector<std::uint32_t> inputs{enable};
+    std::optional<Operand> flow;
+    for (std::size_t i = 1; i < operands.size(); ++i) {
+      Operand& operand = operands[i];
+      if (operand.kind == OperandKind::Missing) {
+        operand.kind = OperandKind::Symbol;  // an open pin, which no power reaches
+      } else if (EditorBranch* branch = branchOf(operand)) {
+        inputs.push_back(branch->value);
+        branch->isRead = true;
+        operand = Operand{};
+      } else if (mayFlowOut && !flow && isReadBehind(operand)) {
+        flow = std::exchange(operand, Operand{});
+      }
+    }
+    const std::uint32_t element = add(Shape::Box, current().desc, inputs, std::move(operands));
+    if (flow) branches_.push_back({*flow, element, true});
+    level().isFresh = hasCoil_ = true;
+    isOpenEnded_ = false;
+    return element;
+  }
+  bool isReadBehind(const Operand& bit) const {
+    const bool isEditorBit =
+        bit.kind == OperandKind::Direct && bit.area == Area::L && bit.width == Width::Bit && bit.text.empty();
+    return isEditorBit && at_ + 1 < network_.instructions.size() &&
+           std::any_of(network_.instructions.begin() + static_cast<std::ptrdiff_t>(at_) + 1,
+                       network_.instructions.end(), [&](const Instruction& each) {
+                         return statementRole(each) == StatementRole::AndScan && isSameBit(each.operands[0], bit);
+                       });
+  }
+  static bool isSameBit(const Operand& a, const Operand& b) {
+    return a.kind == OperandKind::Direct && a.area == b.area && a.offset == b.offset && a.bit == b.bit;
   }
 
   /// The RLO at a coil; the next check begins a new string.

@@ -17,12 +17,16 @@ bool standsAbove(const Desc& desc, const OperandDesc& operand) {
   return desc.drawingOnly && operand.type == Type::Bool && operand.direction == Direction::InOut;
 }
 
+/// The number of the block, above the box its instance, then its parameters.
 std::vector<OperandPin> callPins(std::size_t count, const Pou* callee) {
   std::vector<OperandPin> pins;
   std::size_t next = 1;
   if (callee != nullptr) {
+    const bool hasInstance = callee->type == BlockType::Fb || callee->type == BlockType::Sfb;
+    if (hasInstance && next < count) pins.push_back({next++, PinSide::Above, "instance"});
     for (const LocalVariable& local : callee->locals) {
-      if (local.section == VarSection::Temp || next >= count) continue;
+      const bool isParameter = local.section != VarSection::Temp && local.section != VarSection::Static;
+      if (!isParameter || next >= count) continue;
       pins.push_back({next++, local.section == VarSection::Output ? PinSide::Right : PinSide::Left, local.name});
     }
   }
@@ -35,15 +39,24 @@ std::vector<OperandPin> callPins(std::size_t count, const Pou* callee) {
 std::vector<std::string> callPowerPins(const Operands& operands, const Pou* callee) {
   std::vector<std::string> names = {"EN"};
   for (const OperandPin& pin : callPins(operands.size(), callee)) {
-    if (operands[pin.operand].kind == OperandKind::Missing) names.push_back(pin.name);
+    if (pin.side == PinSide::Left && operands[pin.operand].kind == OperandKind::Missing) names.push_back(pin.name);
   }
   return names;
 }
 
+std::string callPowerOutput(const Operands& operands, const Pou* callee) {
+  for (const OperandPin& pin : callPins(operands.size(), callee)) {
+    if (pin.side == PinSide::Right && operands[pin.operand].kind == OperandKind::Missing) return pin.name;
+  }
+  return "ENO";
+}
+
+bool isCallBox(const Desc& desc) { return desc.control == Control::Call || desc.control == Control::BlockCall; }
+
 bool isBracket(const Desc& desc) { return desc.control == Control::LabelMark || desc.control == Control::Lscr; }
 
 std::vector<OperandPin> operandPins(const Desc& desc, std::size_t count, const Pou* callee) {
-  if (desc.control == Control::Call) return callPins(count, callee);
+  if (isCallBox(desc)) return callPins(count, callee);
   std::vector<OperandPin> pins;
   const bool hasIn1 = desc.operandCount > 0 && desc.operands[0].name == "IN1";
   for (std::size_t i = 0; i < std::min<std::size_t>(count, desc.operandCount); ++i) {

@@ -12,6 +12,8 @@
 
 namespace rungproof {
 
+/// A box that calls a block.
+bool isCallBox(const Desc& desc);
 /// A heading that stands in brackets: LBL and LSCR.
 bool isBracket(const Desc& desc);
 enum class PinSide : std::uint8_t { Above, Left, Right };
@@ -31,6 +33,8 @@ std::vector<OperandPin> operandPins(const Desc& desc, std::size_t count, const P
 std::vector<std::string> powerPins(const Desc& desc);
 /// The same of a CALL: EN, then the parameters that are given as power flow (001:6808).
 std::vector<std::string> callPowerPins(const Operands& operands, const Pou* callee);
+/// S7-300/400: the pin by which power leaves a call: an output that is given as power flow, otherwise ENO.
+std::string callPowerOutput(const Operands& operands, const Pou* callee);
 /// "ENO", "Q", "OUT"; empty where the box has no power output.
 std::string powerOutput(const Desc& desc);
 

@@ -35,7 +35,7 @@ PlanNode nodeOf(const ElementTexts& texts, int element) {
 }
 
 const Pou* calleeOf(const ElementTexts& texts, const Element& element) {
-  if (element.desc->control != Control::Call || texts.program() == nullptr || element.operands.empty()) return nullptr;
+  if (!isCallBox(*element.desc) || texts.program() == nullptr || element.operands.empty()) return nullptr;
   const Operand& number = element.operands[0];
   if (number.kind == OperandKind::Constant) return texts.program()->subroutine(static_cast<int>(number.value));
   for (const Pou& pou : texts.program()->pous) {
@@ -47,7 +47,7 @@ const Pou* calleeOf(const ElementTexts& texts, const Element& element) {
 namespace {
 
 std::string nameOfBox(const ElementTexts& texts, const Element& element, int index) {
-  if (element.desc->control != Control::Call) return std::string(element.desc->drawnName());
+  if (!isCallBox(*element.desc)) return std::string(element.desc->drawnName());
   if (const Pou* callee = calleeOf(texts, element)) return callee->name;
   const OperandText text = texts.operand(index, 0);
   return element.operands.empty()                            ? "CALL"
@@ -62,14 +62,14 @@ PlanNode boxNode(const ElementTexts& texts, const Element& element, int index, b
   const Desc& desc = *element.desc;
   node.kind = NodeKind::Box;
   node.name = nameOfBox(texts, element, index);
-  node.outputPin = powerOutput(desc);
+  node.outputPin = desc.control == Control::BlockCall ? callPowerOutput(element.operands, calleeOf(texts, element))
+                                                      : powerOutput(desc);
   node.hasOutput = !node.outputPin.empty();
   for (const OperandPin& pin : operandPins(desc, element.operands.size(), calleeOf(texts, element))) {
     const Operand& operand = element.operands[pin.operand];
     const OperandText text = texts.operand(index, pin.operand);
     // An output that is not used, or a parameter that is given as power flow.
-    const bool isOptional =
-        desc.control == Control::Call || (pin.operand < desc.operandCount && desc.operands[pin.operand].optional);
+    const bool isOptional = isCallBox(desc) || (pin.operand < desc.operandCount && desc.operands[pin.operand].optional);
     const bool isOpen = operand.kind == OperandKind::Missing && isOptional;
     if (pin.side == PinSide::Above) {
       addAbove(node, text);
@@ -88,7 +88,7 @@ PlanNode boxNode(const ElementTexts& texts, const Element& element, int index, b
 }
 
 std::vector<std::string> powerPinsOf(const ElementTexts& texts, const Element& element) {
-  if (element.desc->control == Control::Call) return callPowerPins(element.operands, calleeOf(texts, element));
+  if (isCallBox(*element.desc)) return callPowerPins(element.operands, calleeOf(texts, element));
   return powerPins(*element.desc);
 }
 

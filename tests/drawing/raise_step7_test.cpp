@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "frontend/input/project.hpp"
 
 namespace rungproof {
@@ -116,6 +118,46 @@ TEST(RaiseStep7, WhatHasNoPicture) {
   EXPECT_EQ(drawn7("A I 0.0; = L 20.0; A L 20.0; A I 0.1; A L 20.0; = Q 4.1;"),
             "- A L20.0 is an intermediate result in the middle of logic");
   EXPECT_EQ(drawn7("A OV; = Q 4.0;"), "- A OV has no picture in LAD or FBD");
+}
+
+/// The same beside FC 1 with two inputs and an output of type BOOL.
+std::string drawnBeside(const std::string& statements) {
+  const Program program = readText(
+      "x.awl",
+      "FUNCTION FC 1 : VOID\nVAR_INPUT\n  a : BOOL;\n  b : BOOL;\nEND_VAR\nVAR_OUTPUT\n  c : BOOL;\nEND_VAR\nBEGIN\n"
+      "NETWORK\nA #a;\nA #b;\n= #c;\nEND_FUNCTION\nORGANIZATION_BLOCK OB 1\nVAR_TEMP\n  start : ARRAY [0 .. 19] OF "
+      "BYTE;\nEND_VAR\nBEGIN\nNETWORK\n" +
+          statements + "\nEND_ORGANIZATION_BLOCK\n");
+  const Raised raised = raise(program.main()->networks.at(0), Form::Ladder, program.target);
+  if (!raised.drawing) return "- " + raised.reason;
+  std::string text;
+  std::set<std::uint32_t> read;
+  const std::vector<Element>& elements = raised.drawing->elements;
+  for (const Element& element : elements) {
+    for (const Wire& wire : element.inputs) read.insert(wire.from);
+  }
+  for (std::uint32_t i = 1; i < elements.size(); ++i) {
+    if (read.contains(i)) continue;
+    text += (text.empty() ? "" : "; ") + shapeOf7(*raised.drawing, i);
+  }
+  return text;
+}
+
+// A call stands at the rail, or has the logic in front of its JNB at EN. Bits that the compiler made for its pins are
+// wires: I0.0 flows into a, and c flows on to Q0.0.
+TEST(RaiseStep7, CallsAreBoxes) {
+  EXPECT_EQ(drawnBeside("CALL FC 1 (a := I 0.0, b := I 0.1, c := Q 0.0);"), "FC1 I0.0 I0.1 Q0.0");
+  EXPECT_EQ(drawnBeside("A I 0.0;A I 0.1;= L 20.0;BLD 103;CALL FC 1 (a := L 20.0, b := I 0.1, c := L 20.1);A L "
+                        "20.1;= Q 0.0;"),
+            "= Q0.0 <- CALL FC1 - I0.1 -(and(I0.0, I0.1))");
+  EXPECT_EQ(drawnBeside("A I 0.0;= L 20.0;BLD 103;A I 0.1;= L 20.1;BLD 103;CALL FC 1 (a := L 20.0, b := L 20.1, c := Q "
+                        "0.0);"),
+            "CALL FC1 - - Q0.0(I0.0, I0.1)");
+  EXPECT_EQ(drawnBeside("A I 0.2;JNB _001;CALL FC 1 (a := I 0.0, b := I 0.1, c := Q 0.0);_001: NOP 0;"),
+            "CALL FC1 I0.0 I0.1 Q0.0(I0.2)");
+  EXPECT_EQ(drawnBeside("A I 0.2;JNB _001;CALL FC 1 (a := I 0.0, b := I 0.1, c := Q 0.0);_001: A BR;= Q 0.1;"),
+            "= Q0.1 <- CALL FC1 I0.0 I0.1 Q0.0(I0.2)");
+  EXPECT_EQ(drawnBeside("A I 0.2;CALL FC 1 (a := I 0.0, b := I 0.1, c := Q 0.0);").substr(0, 2), "- ");
 }
 
 }  // namespace
