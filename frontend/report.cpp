@@ -10,7 +10,7 @@
 
 #include "analysis/read_errors.hpp"
 #include "analysis/rule.hpp"
-#include "frontend/testing/test_results.hpp"
+#include "frontend/test_results.hpp"
 
 namespace rungproof {
 

@@ -135,7 +135,7 @@ struct ExitReason {
   std::string text{};
 };
 
-struct TestReport;  // of test tables; frontend/testing/test_results.hpp
+struct TestReport;  // of test tables; frontend/test_results.hpp
 
 struct Report {
   std::string command;  ///< "lint", "prove", ...

@@ -1,7 +1,8 @@
 // What contacts, edges and outputs see, as nodes: read from the state in front of the instruction, without asking
 // anything new. What cannot be read so stays open.
 #include "analysis/encoding/execution_record.hpp"
-#include "ir/s7300/statement_role.hpp"
+#include "ir/iec/expression_role.hpp"
+#include "ir/s7300/statement_detail.hpp"
 
 namespace rungproof {
 
@@ -58,17 +59,8 @@ std::optional<Graph::Bool> compareContact(Machine<Graph>& machine, const Instruc
   return relatedNumbers(machine.d, relation, values[0], values[1], bits(width), isSigned(type));
 }
 
-Relation relationOf(std::string_view name) {
-  if (name.starts_with("==")) return Relation::Equal;
-  if (name.starts_with("<>")) return Relation::NotEqual;
-  if (name.starts_with("<=")) return Relation::LessEqual;
-  if (name.starts_with(">=")) return Relation::GreaterEqual;
-  return name.starts_with("<") ? Relation::Less : Relation::Greater;
-}
-
 std::optional<Graph::Bool> bitOfStatement(Machine<Graph>& machine, const Instruction& instruction) {
   Graph& graph = machine.d;
-  const std::string_view name = instruction.desc->stl;
   switch (statementRole(instruction)) {
     case StatementRole::AndScan:
     case StatementRole::OrScan:
@@ -78,15 +70,15 @@ std::optional<Graph::Bool> bitOfStatement(Machine<Graph>& machine, const Instruc
     case StatementRole::Edge: {
       if (instruction.operands.empty() || !isPlainPlace(instruction.operands[0])) return std::nullopt;
       const Graph::Bool before = bitAt(machine, instruction.operands[0]);
-      return name == "FP" ? graph.lnot(before) : before;
+      return findsRise(instruction) ? graph.lnot(before) : before;
     }
     case StatementRole::Compare:
     case StatementRole::CompareRealEqual: {
       const Graph::Bits x = machine.step7.accu[1], y = machine.step7.accu[0];
-      if (name.ends_with("R")) return relatedReals(graph, relationOf(name), x, y);
-      const int width = name.ends_with("I") ? 16 : 32;
+      if (comparesReals(instruction)) return relatedReals(graph, relationOf(instruction), x, y);
+      const int width = comparedBits(instruction);
       const auto low = [&](Graph::Bits v) { return width == 32 ? v : graph.extract(v, 15, 0); };
-      return relatedNumbers(graph, relationOf(name), low(x), low(y), width, true);
+      return relatedNumbers(graph, relationOf(instruction), low(x), low(y), width, true);
     }
     default: return std::nullopt;
   }
@@ -94,7 +86,7 @@ std::optional<Graph::Bool> bitOfStatement(Machine<Graph>& machine, const Instruc
 
 std::optional<Graph::Bool> bitOfExpression(Machine<Graph>& machine, const Instruction& instruction) {
   Graph& graph = machine.d;
-  if (instruction.desc->stl == "LOAD.BIT") return bitAt(machine, instruction.operands[0]);
+  if (expressionRole(instruction) == ExpressionRole::LoadBit) return bitAt(machine, instruction.operands[0]);
   const std::size_t size = machine.evaluation.size();
   if (instruction.desc->relation == Relation::None || size < 2) return std::nullopt;
   const Graph::Bits x = machine.evaluation[size - 2], y = machine.evaluation[size - 1];
@@ -114,7 +106,7 @@ void ExecutionRecord::noteBits(Machine<Graph>& machine, const Instruction& instr
     visit.result = machine.step7.rlo.node;
   } else if (machine.plan.isIec()) {
     bit = bitOfExpression(machine, instruction);
-    const bool hasTruth = desc.stl == "STORE.BIT" || desc.control == Control::Jump;
+    const bool hasTruth = expressionRole(instruction) == ExpressionRole::StoreBit || desc.control == Control::Jump;
     if (hasTruth && !machine.evaluation.empty()) visit.result = graph.bit(machine.evaluation.back(), 0).node;
   } else if (isEdge(desc.role)) {
     const Graph::Bool before = machine.getBit(Reg::EdgeMemory, machine.plan.edge[instruction.id]);

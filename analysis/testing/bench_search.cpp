@@ -12,6 +12,7 @@
 #include "engine/simulator.hpp"
 #include "engine/testing/test_player.hpp"
 #include "ir/dialect.hpp"
+#include "ir/iec/expression_role.hpp"
 
 namespace rungproof {
 
@@ -344,10 +345,10 @@ class BenchSearch::Impl {
       }
     };
     each([&](const Instruction& i) {
-      if (i.desc->stl == "LOAD") loaded.insert(i.operands[0].offset);
+      if (expressionRole(i) == ExpressionRole::Load) loaded.insert(i.operands[0].offset);
     });
     each([&](const Instruction& i) {
-      if (i.desc->stl != "PASS" || loaded.contains(i.operands[1].offset)) return;
+      if (expressionRole(i) != ExpressionRole::PassTime || loaded.contains(i.operands[1].offset)) return;
       for (std::uint32_t k = 0; k < 4; ++k) unread_.insert(i.operands[1].offset + k);
     });
   }

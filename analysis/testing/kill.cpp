@@ -11,6 +11,9 @@
 #include "analysis/equivalence/equivalence.hpp"
 #include "analysis/testing/test_signals.hpp"
 #include "ir/dialect.hpp"
+#include "ir/iec/expression_role.hpp"
+#include "ir/instruction_slip.hpp"
+#include "ir/s7300/statement_role.hpp"
 
 namespace rungproof {
 
@@ -22,18 +25,9 @@ std::string changedText(const Desc& desc, const Operands& operands) {
   return text;
 }
 
-/// Mnemonics that are taken for one another.
-constexpr std::pair<std::string_view, std::string_view> likeSlips[] = {
-    {"AND", "OR"},  {"OR", "AND"},  {"EQ", "NE"},   {"NE", "EQ"},  {"LT", "LE"},  {"LE", "LT"},   {"GT", "GE"},
-    {"GE", "GT"},   {"ADD", "SUB"}, {"SUB", "ADD"}, {"A", "AN"},   {"AN", "A"},   {"O", "ON"},    {"ON", "O"},
-    {"X", "O"},     {"S", "R"},     {"R", "S"},     {"FP", "FN"},  {"FN", "FP"},  {"==I", "<>I"}, {"<>I", "==I"},
-    {">I", ">=I"},  {">=I", ">I"},  {"<I", "<=I"},  {"<=I", "<I"}, {"A(", "O("},  {"O(", "A("},   {"SD", "SE"},
-    {"==D", "<>D"}, {">D", ">=D"},  {">=D", ">D"},  {"<D", "<=D"}, {"<=D", "<D"}, {"+I", "-I"},   {"-I", "+I"}};
-
 class MutantFinder {
  public:
-  explicit MutantFinder(const Program& program)
-      : program_(program), instructions_(dialectOf(program.target).instructions()) {
+  explicit MutantFinder(const Program& program) : program_(program) {
     for (const Pou& pou : program.pous) {
       if (isForeign(pou)) continue;
       for (const Network& network : pou.networks) {
@@ -84,36 +78,17 @@ class MutantFinder {
   }
 
   void at(const Instruction& instruction) {
-    const Desc& desc = *instruction.desc;
-    if (isIec(program_.target) || isStep7(program_.target)) {
-      for (const auto& [from, to] : likeSlips) {
-        if (desc.stl != from) continue;
-        if (const Desc* other = instructions_.named(to)) plant("operator", instruction, *other, instruction.operands);
-      }
-    } else if (desc.relation != Relation::None) {
-      relation(instruction);
-    }
+    const bool isComparison = instruction.desc->relation != Relation::None;
+    for (const Desc* slip : slipsOf(*instruction.desc, dialectOf(program_.target)))
+      plant(isComparison ? "comparison" : "operator", instruction, *slip, instruction.operands);
     for (std::size_t i = 0; i < instruction.operands.size(); ++i) operand(instruction, i);
-  }
-
-  void relation(const Instruction& instruction) {
-    constexpr std::pair<std::string_view, std::string_view> signs[] = {{">=", ">"}, {"<=", "<"}, {"<>", "="},
-                                                                       {">", ">="}, {"<", "<="}, {"=", "<>"}};
-    const std::string name(instruction.desc->stl);
-    for (const auto& [from, to] : signs) {
-      const std::size_t found = name.find_first_of("<>=");
-      if (found == std::string::npos || name.substr(found) != from) continue;
-      if (const Desc* other = instructions_.named(name.substr(0, found) + std::string(to)))
-        plant("comparison", instruction, *other, instruction.operands);
-      return;
-    }
   }
 
   void operand(const Instruction& instruction, std::size_t index) {
     const Operand& given = instruction.operands[index];
     Operands changed = instruction.operands;
     if (given.kind == OperandKind::Direct && given.width == Width::Bit && bits_.contains(given.area) &&
-        (!isIec(program_.target) || instruction.desc->stl == "LOAD.BIT")) {
+        (!isIec(program_.target) || expressionRole(instruction) == ExpressionRole::LoadBit)) {
       const std::set<std::pair<std::uint32_t, std::uint8_t>>& others = bits_.at(given.area);
       auto next = others.upper_bound({given.offset, given.bit});
       if (next == others.end()) next = others.begin();
@@ -126,16 +101,15 @@ class MutantFinder {
     }
     const bool isNumber = given.kind == OperandKind::Constant && given.form != ConstantForm::Real &&
                           (instruction.desc->relation != Relation::None || instruction.desc->role == Role::Move ||
-                           (instruction.desc->stl == "L" && isStep7(program_.target)));
-    const bool isConst = instruction.desc->stl == "CONST" && index == 0 && instruction.operands.size() > 1 &&
-                         instruction.operands[1].value > 1;
+                           statementRole(instruction) == StatementRole::Load);
+    const bool isConst =
+        index == 0 && expressionRole(instruction) == ExpressionRole::Constant && !isOfTruth(instruction);
     if (!(isNumber && !isIec(program_.target)) && !isConst) return;
     changed[index].value = given.value + 1;
     plant("constant", instruction, *instruction.desc, std::move(changed));
   }
 
   const Program& program_;
-  const InstructionTable& instructions_;
   std::map<Area, std::set<std::pair<std::uint32_t, std::uint8_t>>> bits_;
   std::uint32_t pou_ = 0, network_ = 0, index_ = 0;
   std::vector<Mutant> mutants_;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "ir/dialect.hpp"
+#include "ir/iec/expression_role.hpp"
 #include "ir/iec/syntax.hpp"
 #include "ir/overlap.hpp"
 #include "ir/s7200/plan.hpp"
@@ -142,14 +143,14 @@ bool dependsOnTime(const Program& program) {
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
       for (const Instruction& i : network.instructions) {
-        if (i.desc->stl == "LOAD" && isIec(program.target)) loaded.insert(i.operands[0].offset);
+        if (expressionRole(i) == ExpressionRole::Load) loaded.insert(i.operands[0].offset);
       }
     }
   }
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
       for (const Instruction& i : network.instructions) {
-        const bool passes = isIec(program.target) && i.desc->stl == "PASS" && i.operands.size() > 1 &&
+        const bool passes = expressionRole(i) == ExpressionRole::PassTime && i.operands.size() > 1 &&
                             loaded.contains(i.operands[1].offset);
         const bool readsTimer = std::ranges::any_of(i.operands, [](const Operand& o) {
           const bool isClock = o.kind == OperandKind::Direct && o.area == Area::SM &&

@@ -98,24 +98,36 @@ void Influence::addPlace(const PlaceRow& row, std::uint32_t cause) {
   if (raisesEvents(row) && !facts_.calls().attachments().empty()) addEverything(cause);
 }
 
-/// Labels, and jumps to a label below in the same network: they decide nothing outside of it.
-bool Influence::staysInside(NetworkPlace place, std::uint32_t instruction) const {
-  const std::vector<FlowStep>& steps = facts_.plan().flows[place.block].steps;
-  const auto step = std::ranges::find(steps, instruction, &FlowStep::id);
-  if (step == steps.end()) return false;
-  const Control control = step->instruction->desc->control;
-  if (control == Control::LabelMark) return true;
-  const bool isJump = control == Control::Jump || control == Control::Branch;
-  const auto own = static_cast<std::uint32_t>(step - steps.begin());
-  return isJump && step->partner != noPartner && step->partner > own && steps[step->partner].network == place.network;
+/// Jumps to a label below in the same network, and labels to which such jumps alone lead: they decide nothing outside
+/// of it. A label that nothing leads to may be one that the reader refused.
+const std::unordered_set<std::uint32_t>& Influence::staysInside(std::uint32_t block) {
+  const auto [known, isNew] = staysInside_.try_emplace(block);
+  if (!isNew) return known->second;
+  const std::vector<FlowStep>& steps = facts_.plan().flows[block].steps;
+  std::unordered_set<std::uint32_t> reached, entered;  // labels, by step: from above in the network; in any other way
+  for (std::uint32_t from = 0; from < steps.size(); ++from) {
+    const std::uint32_t to = steps[from].partner;
+    const Control control = steps[from].instruction->desc->control;
+    if ((control != Control::Jump && control != Control::Branch) || to == noPartner) continue;
+    const bool isInside = to > from && steps[to].network == steps[from].network;
+    (isInside ? reached : entered).insert(to);
+    if (isInside) known->second.insert(steps[from].id());
+  }
+  for (const std::uint32_t label : reached) {
+    if (!entered.contains(label)) known->second.insert(steps[label].id());
+  }
+  return known->second;
 }
 
-void Influence::addNetwork(NetworkPlace place, std::uint32_t cause) {
+void Influence::addChangedNetwork(NetworkPlace place, std::uint32_t cause) { add(place, cause, true); }
+void Influence::addNetwork(NetworkPlace place, std::uint32_t cause) { add(place, cause, false); }
+
+void Influence::add(NetworkPlace place, std::uint32_t cause, bool isWhole) {
   Part& part = parts_[firstPart_[place.block] + place.network];
   for (const std::uint32_t id : part.instructions) {
     const Instruction& instruction = facts_.instruction(id);
     const Desc& desc = *instruction.desc;
-    const bool movesFlow = desc.control != Control::None && !staysInside(place, id);
+    const bool movesFlow = desc.control != Control::None && !(isWhole && staysInside(place.block).contains(id));
     if (movesFlow || actsOnDevices(desc)) return addEverything(cause);
     for (std::size_t i = 0; i < std::min<std::size_t>(instruction.operands.size(), desc.operandCount); ++i) {
       const OperandDesc& operand = desc.operands[i];

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
+#include <unordered_set>
 #include <vector>
 
 #include "analysis/flow/facts.hpp"
@@ -33,6 +35,8 @@ class Influence {
 
   /// The network is not run, for that cause (any number but 0): it may write what its instructions write.
   void addNetwork(NetworkPlace place, std::uint32_t cause);
+  /// The network is run in another form: jumps that stay in it decide nothing outside.
+  void addChangedNetwork(NetworkPlace place, std::uint32_t cause);
   /// A place is written for that cause.
   void addPlace(const PlaceRow& row, std::uint32_t cause);
   /// Everything may be written for that cause.
@@ -57,7 +61,8 @@ class Influence {
 
   void collectParts();
   const Part* part(NetworkPlace place) const;
-  bool staysInside(NetworkPlace place, std::uint32_t instruction) const;
+  void add(NetworkPlace place, std::uint32_t cause, bool isWhole);
+  const std::unordered_set<std::uint32_t>& staysInside(std::uint32_t block);
   void influence(Part& part, std::uint32_t cause);
   void influenceBlock(std::uint32_t block, std::uint32_t cause);
   void writesOf(std::uint32_t instruction, std::uint32_t cause);
@@ -71,6 +76,7 @@ class Influence {
   std::uint32_t everything_ = none;
   std::uint32_t some_ = none;  ///< cause of any place, for reads through pointers
   bool isChanged_ = false;
+  std::map<std::uint32_t, std::unordered_set<std::uint32_t>> staysInside_;  ///< Instruction::id, by block
 };
 
 }  // namespace rungproof

@@ -5,7 +5,8 @@
 #include <bit>
 
 #include "engine/instruction_recorder.hpp"
-#include "ir/s7300/statement_role.hpp"
+#include "ir/iec/expression_role.hpp"
+#include "ir/s7300/statement_detail.hpp"
 
 namespace rungproof {
 
@@ -64,7 +65,7 @@ void CoverageRecorder::note(std::uint32_t leaf, bool value) {
 bool CoverageRecorder::edgeGate(const Machine<Concrete>& machine, const Instruction& instruction) const {
   if (map_.plan().isStep7()) {
     const bool before = operandValue(machine, instruction, 0, machine.frame).value_or(0) != 0;
-    return instruction.desc->stl == "FP" ? !before : before;
+    return findsRise(instruction) ? !before : before;
   }
   const bool before = machine.store.get(Reg::EdgeMemory, map_.plan().edge[instruction.id]) != 0;
   const bool isFirst = machine.store.get(Reg::FirstScan, 0) != 0;
@@ -147,7 +148,8 @@ std::optional<bool> CoverageRecorder::power(const Machine<Concrete>& machine, co
                                             unsigned level) const {
   if (map_.plan().isStep7()) return machine.step7.rlo;
   if (map_.plan().isIec()) {
-    const bool hasTruth = instruction.desc->stl == "STORE.BIT" || instruction.desc->control == Control::Jump;
+    const bool hasTruth =
+        expressionRole(instruction) == ExpressionRole::StoreBit || instruction.desc->control == Control::Jump;
     if (!hasTruth || machine.evaluation.empty()) return std::nullopt;
     return (machine.evaluation.back() & 1) != 0;
   }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engine/coverage/logic_reader.hpp"
+#include "ir/iec/expression_role.hpp"
 
 namespace rungproof {
 
@@ -28,7 +29,7 @@ class ExpressionReader final : public LogicReader {
   }
 
   void read(const Instruction& instruction, CoveragePlace place) override {
-    const std::string_view name = instruction.desc->stl;
+    const ExpressionRole role = expressionRole(instruction);
     const Instruction* const constant = std::exchange(constant_, nullptr);
     if (isChart_ && program().pous[place.pou].networks[place.network].span.length == 0) return pass(instruction);
     switch (instruction.desc->control) {
@@ -43,13 +44,13 @@ class ExpressionReader final : public LogicReader {
       case Control::None: break;
       default: return;
     }
-    if (name == "LOAD.BIT") {
+    if (role == ExpressionRole::LoadBit) {
       const auto kept = temporaries_.find(bitOf(instruction.operands[0]));
       if (!isNamed(instruction.operands[0]) && kept != temporaries_.end()) return push(kept->second);
       return push(leafOf(LeafKind::Contact, instruction, place));
     }
-    if (name == "STORE.BIT") return storeBit(instruction, place);
-    if (name == "STORE") {
+    if (role == ExpressionRole::StoreBit) return storeBit(instruction, place);
+    if (role == ExpressionRole::Store) {
       pop();
       if (!isNamed(instruction.operands[0])) return;
       output(instruction, false, place);
@@ -59,32 +60,36 @@ class ExpressionReader final : public LogicReader {
                     static_cast<std::uint64_t>(constant->operands[0].value), place});
       return;
     }
-    if (name == "CONST") {
+    if (role == ExpressionRole::Constant) {
       constant_ = &instruction;
-      const bool isTruth = instruction.operands[1].value == 1;
-      return push(isTruth ? trees().constant(instruction.operands[0].value != 0) : hidden());
+      return push(isOfTruth(instruction) ? trees().constant(instruction.operands[0].value != 0) : hidden());
     }
     if (instruction.desc->relation != Relation::None) {
       pop();
       pop();
       return push(leafOf(LeafKind::Contact, instruction, place));
     }
-    const bool isTruth = !instruction.operands.empty() && instruction.operands[0].value == 1;
-    if ((name == "AND" || name == "OR" || name == "XOR") && isTruth) {
-      const LogicNode right = pop(), left = pop();
-      return push(trees().join(name == "AND" ? LogicOp::And : name == "OR" ? LogicOp::Or : LogicOp::Xor, left, right));
+    if (!isOfTruth(instruction)) return pass(instruction);
+    switch (role) {
+      case ExpressionRole::And: return join(LogicOp::And);
+      case ExpressionRole::Or: return join(LogicOp::Or);
+      case ExpressionRole::Xor: return join(LogicOp::Xor);
+      case ExpressionRole::Not: return push(trees().lnot(pop()));
+      case ExpressionRole::Select: {
+        const LogicNode one = pop(), zero = pop(), chooses = pop();
+        return push(trees().join(LogicOp::Or, trees().join(LogicOp::And, chooses, one),
+                                 trees().join(LogicOp::And, trees().lnot(chooses), zero)));
+      }
+      default: return pass(instruction);
     }
-    if (name == "NOT" && isTruth) return push(trees().lnot(pop()));
-    if (name == "SEL" && isTruth) {
-      const LogicNode one = pop(), zero = pop(), chooses = pop();
-      return push(trees().join(LogicOp::Or, trees().join(LogicOp::And, chooses, one),
-                               trees().join(LogicOp::And, trees().lnot(chooses), zero)));
-    }
-    pass(instruction);
   }
 
  private:
   void push(LogicNode node) { stack_.push_back(node); }
+  void join(LogicOp op) {
+    const LogicNode right = pop(), left = pop();
+    push(trees().join(op, left, right));
+  }
   LogicNode pop() {
     if (stack_.empty()) return hidden();
     const LogicNode node = stack_.back();
@@ -100,18 +105,7 @@ class ExpressionReader final : public LogicReader {
 
   /// Values that no truth value decides.
   void pass(const Instruction& instruction) {
-    const std::string_view name = instruction.desc->stl;
-    const auto isOneOf = [&](std::initializer_list<std::string_view> list) {
-      return std::ranges::find(list, name) != list.end();
-    };
-    std::size_t pops = 2, pushes = 1;
-    if (isOneOf({"LOAD", "LOAD.BIT", "CONST", "READING"})) pops = 0;
-    if (isOneOf({"INDEX", "LOAD.ELEMENT", "NEG", "ABS", "NOT", "RESIZE", "TO.REAL", "FROM.REAL", "FUNC.REAL",
-                 "NEG.REAL", "ABS.REAL", "STORE", "STORE.BIT", "JMPCN"}))
-      pops = 1;
-    if (name == "SEL") pops = 3;
-    if (isOneOf({"STORE", "STORE.BIT", "STORE.ELEMENT", "JMPCN"})) pushes = 0;
-    if (isOneOf({"JMP", "LBL", "CAL", "RET", "PASS"})) pops = pushes = 0;
+    const auto [pops, pushes] = stackUse(instruction);
     for (std::size_t i = 0; i < pops; ++i) pop();
     for (std::size_t i = 0; i < pushes; ++i) push(hidden());
   }
@@ -153,17 +147,20 @@ class ExpressionReader final : public LogicReader {
     for (const Pou& pou : program().pous) {
       for (const Network& network : pou.networks) {
         const std::vector<Instruction>& list = network.instructions;
+        const auto isRole = [&](std::size_t at, ExpressionRole role) {
+          return at < list.size() && expressionRole(list[at]) == role;
+        };
         for (std::size_t i = 0; i < list.size(); ++i) {
-          if (list[i].desc->stl == "STORE" && isNamed(list[i].operands[0])) {
-            if (i > 0 && list[i - 1].desc->stl == "CONST")
+          if (isRole(i, ExpressionRole::Store) && isNamed(list[i].operands[0])) {
+            if (i > 0 && isRole(i - 1, ExpressionRole::Constant))
               stored[list[i].operands[0].offset].insert(list[i - 1].operands[0].value);
             else
               otherwise.insert(list[i].operands[0].offset);
           }
-          if (list[i].desc->stl != "LOAD" || i + 1 >= list.size()) continue;
-          const bool isSelector = list[i + 1].desc->stl == "STORE" && !isNamed(list[i + 1].operands[0]);
+          if (!isRole(i, ExpressionRole::Load)) continue;
+          const bool isSelector = isRole(i + 1, ExpressionRole::Store) && !isNamed(list[i + 1].operands[0]);
           const bool isCompared =
-              i + 2 < list.size() && list[i + 1].desc->stl == "CONST" &&
+              i + 2 < list.size() && isRole(i + 1, ExpressionRole::Constant) &&
               (list[i + 2].desc->relation == Relation::Equal || list[i + 2].desc->relation == Relation::NotEqual);
           if (isSelector || isCompared) compared.insert(list[i].operands[0].offset);
         }

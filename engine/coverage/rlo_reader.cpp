@@ -3,7 +3,7 @@
 #include <set>
 
 #include "engine/coverage/logic_reader.hpp"
-#include "ir/s7300/statement_role.hpp"
+#include "ir/s7300/statement_detail.hpp"
 
 namespace rungproof {
 
@@ -46,7 +46,7 @@ class RloReader final : public LogicReader {
         return scan(join.role, join.negated ? trees().lnot(inner) : inner);
       }
       case StatementRole::Edge: {
-        const bool isRising = instruction.desc->stl == "FP";
+        const bool isRising = findsRise(instruction);
         const LogicNode input = isRising ? rlo() : trees().lnot(rlo());
         state_ = {trees().join(LogicOp::And, input, leafOf(LeafKind::Edge, instruction, place)), std::nullopt, true};
         return;

@@ -1,5 +1,5 @@
 // STEP 7 projects among the arguments of a command: each of their programs is an input of its own, named like a file in
-// the project: "Plant.s7p/SIMATIC 300(1)/CPU 315-2 DP/S7 Program(1)". Tested by tests/s7project/command_test.cpp.
+// the project: "Plant.s7p/SIMATIC 300(1)/CPU 315-2 DP/S7 Program(1)". Tested by tests/s7project/project_test.cpp.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // Actual values of a stored data block, where they differ from what its declaration gives, as assignments of its body.
-// Tested by tests/s7project/project_blocks_test.cpp.
+// Tested by tests/s7project/project_test.cpp.
 #pragma once
 
 #include <string>

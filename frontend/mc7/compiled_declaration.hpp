@@ -1,5 +1,5 @@
 // The compiled declaration of a block: types and start values without names. As text it can be read like any other
-// declaration, with names by section and position. Tested by tests/mc7/compiled_declaration_test.cpp.
+// declaration, with names by section and position. Tested by tests/mc7/upload_test.cpp.
 #pragma once
 
 #include <cstdint>

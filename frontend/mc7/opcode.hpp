@@ -1,5 +1,5 @@
 // The instructions of MC7, the machine code of the S7-300/400: one row each, which decoder and encoder both read.
-// Tested by tests/mc7/opcode_test.cpp.
+// Tested by tests/mc7/code_test.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // The blocks of one container of a project: BAUSTEIN.DBF names them, SUBBLK.DBF holds their parts.
-// Tested by tests/s7project/project_blocks_test.cpp.
+// Tested by tests/s7project/project_test.cpp.
 #pragma once
 
 #include <functional>

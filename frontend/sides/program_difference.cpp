@@ -27,7 +27,8 @@ class ReachOfChange {
 
   void add(NetworkChange& change, const NetworkRef& network, const std::vector<ObservedVerdict>& verdicts) const {
     Influence influence(facts_);
-    influence.addNetwork({static_cast<std::uint32_t>(network.pou), static_cast<std::uint32_t>(network.network)}, 1);
+    influence.addChangedNetwork({static_cast<std::uint32_t>(network.pou), static_cast<std::uint32_t>(network.network)},
+                                1);
     influence.spread();
     change.isEverything = change.isEverything || influence.everything() != Influence::none;
     if (change.isEverything) addPulses(change, verdicts);

@@ -8,7 +8,7 @@
 #include "engine/coverage/coverage_recorder.hpp"
 #include "engine/testing/test_player.hpp"
 #include "frontend/settings/options.hpp"
-#include "frontend/testing/test_results.hpp"
+#include "frontend/test_results.hpp"
 
 namespace rungproof {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "frontend/files/json.hpp"
-#include "frontend/testing/test_results.hpp"
+#include "frontend/test_results.hpp"
 #include "frontend/text/excerpt.hpp"
 
 namespace rungproof {

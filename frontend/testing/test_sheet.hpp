@@ -9,7 +9,7 @@
 #include "analysis/property.hpp"
 #include "engine/coverage/coverage_map.hpp"
 #include "engine/testing/test_table.hpp"
-#include "frontend/testing/test_results.hpp"
+#include "frontend/test_results.hpp"
 
 namespace rungproof {
 

@@ -20,6 +20,19 @@ bool startsOnDelay(const Instruction& instruction) {
   return statementRole(instruction) == StatementRole::StartTimer && instruction.desc->stl == "SD";
 }
 
+bool findsRise(const Instruction& edge) { return edge.desc->stl == "FP"; }
+
+Relation relationOf(const Instruction& comparison) {
+  const std::string_view name = comparison.desc->stl;
+  if (name.starts_with("==")) return Relation::Equal;
+  if (name.starts_with("<>")) return Relation::NotEqual;
+  if (name.starts_with("<=")) return Relation::LessEqual;
+  if (name.starts_with(">=")) return Relation::GreaterEqual;
+  return name.starts_with("<") ? Relation::Less : Relation::Greater;
+}
+
+int comparedBits(const Instruction& comparison) { return comparison.desc->stl.ends_with('I') ? 16 : 32; }
+
 bool comparesReals(const Instruction& instruction) {
   return isComparison(statementRole(instruction)) && instruction.desc->stl.ends_with('R');
 }

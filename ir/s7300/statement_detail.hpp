@@ -15,6 +15,12 @@ bool jumpsOnOne(const Instruction& jump);
 bool setsBit(const Instruction& instruction);
 /// SD: a change of its RLO ends the time, and the next one starts it anew.
 bool startsOnDelay(const Instruction& instruction);
+/// FP, no FN.
+bool findsRise(const Instruction& edge);
+/// What a comparison asks of ACCU2 and ACCU1.
+Relation relationOf(const Instruction& comparison);
+/// Bits of the numbers that it compares: 16 of ==I, otherwise 32.
+int comparedBits(const Instruction& comparison);
 /// ==R and its kind.
 bool comparesReals(const Instruction& instruction);
 /// SQRT and LN, which a number below 0 gives no result (002:1994, general knowledge).

@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "frontend/testing/test_results.hpp"
+#include "frontend/test_results.hpp"
 #include "program_run.hpp"
 #include "schema_check.hpp"
 

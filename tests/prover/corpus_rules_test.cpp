@@ -41,8 +41,12 @@ const std::map<std::string, RuleAddresses>& explainedFindings() {
       // The edge of the demand comes in the first scan and passes the lead on.
       {"pump_alternation.xml", {"SAF005 Q0.1"}},
       {"parcel_counter.xml", {"SAF005 Q0.0", "SAF005 Q0.1"}},
-      {"tank_pump.xml", {"SAF005 Q0.0"}},
-      {"two_valves.xml", {"SAF005 Q0.2", "SAF005 Q0.3"}},
+      // SimaticML is of an S7-300/400, which keeps data blocks and M0 to M15 while the power is off: running timers,
+      // edges and faults. Q0.1 and Q0.3 of the valves are one finding.
+      {"gate.xml", {"SAF005 Q0.1"}},
+      {"reversing.xml", {"SAF005 Q0.0", "SAF005 Q0.1"}},
+      {"tank_pump.xml", {"SAF005 Q0.0", "SAF005 Q0.1"}},
+      {"two_valves.xml", {"SAF005 Q0.1", "SAF005 Q0.2"}},
   };
   return table;
 }

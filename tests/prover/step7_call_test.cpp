@@ -141,7 +141,7 @@ TEST(Step7Call, AContractGivesAnyOutputsAndNothingElse) {
               expected)
         << call;
   }
-  EXPECT_EQ(contracts, 23);
+  EXPECT_EQ(contracts, 26);
 }
 
 // The time of the system is no negative number (002:2494), and tells nothing else.
