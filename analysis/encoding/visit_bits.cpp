@@ -12,7 +12,7 @@ bool isPlainPlace(const Operand& o) {
   return o.kind == OperandKind::Direct && o.area != Area::AI && o.area != Area::PI;
 }
 
-Graph::Bool bitAt(Machine<Graph>& machine, const Operand& o) {
+Graph::Bool bitOfPlace(Machine<Graph>& machine, const Operand& o) {
   if (hasBitAndWord(o.area)) return machine.getBit(o.area == Area::T ? Reg::TimerBit : Reg::CounterBit, o.offset);
   return machine.d.bit(machine.load(o.area, o.offset, Width::Bit, o.bit), 0);
 }
@@ -66,10 +66,10 @@ std::optional<Graph::Bool> bitOfStatement(Machine<Graph>& machine, const Instruc
     case StatementRole::OrScan:
     case StatementRole::XorScan:
       if (instruction.operands.empty() || !isPlainPlace(instruction.operands[0])) return std::nullopt;
-      return bitAt(machine, instruction.operands[0]);
+      return bitOfPlace(machine, instruction.operands[0]);
     case StatementRole::Edge: {
       if (instruction.operands.empty() || !isPlainPlace(instruction.operands[0])) return std::nullopt;
-      const Graph::Bool before = bitAt(machine, instruction.operands[0]);
+      const Graph::Bool before = bitOfPlace(machine, instruction.operands[0]);
       return findsRise(instruction) ? graph.lnot(before) : before;
     }
     case StatementRole::Compare:
@@ -86,7 +86,7 @@ std::optional<Graph::Bool> bitOfStatement(Machine<Graph>& machine, const Instruc
 
 std::optional<Graph::Bool> bitOfExpression(Machine<Graph>& machine, const Instruction& instruction) {
   Graph& graph = machine.d;
-  if (expressionRole(instruction) == ExpressionRole::LoadBit) return bitAt(machine, instruction.operands[0]);
+  if (expressionRole(instruction) == ExpressionRole::LoadBit) return bitOfPlace(machine, instruction.operands[0]);
   const std::size_t size = machine.evaluation.size();
   if (instruction.desc->relation == Relation::None || size < 2) return std::nullopt;
   const Graph::Bits x = machine.evaluation[size - 2], y = machine.evaluation[size - 1];
@@ -114,7 +114,7 @@ void ExecutionRecord::noteBits(Machine<Graph>& machine, const Instruction& instr
   } else if (desc.execution == Execution::Compare) {
     bit = compareContact(machine, instruction);
   } else if (isContact(desc.role) && !desc.immediate && isPlainPlace(instruction.operands[0])) {
-    bit = bitAt(machine, instruction.operands[0]);
+    bit = bitOfPlace(machine, instruction.operands[0]);
   }
   if (bit) visit.bit = bit->node;
   for (std::size_t i = 0; i < instruction.operands.size() && i < desc.operandCount; ++i) {

@@ -176,8 +176,8 @@ void describeTests(TestSheet& sheet, CoverageRecorder& all, const PropertySet& s
   }
 }
 
-bool writeAll(const Context& context, const std::string& directory, const std::vector<FileToWrite>& files,
-              std::vector<std::string>& written) {
+bool writeEach(const Context& context, const std::string& directory, const std::vector<FileToWrite>& files,
+               std::vector<std::string>& written) {
   namespace fs = std::filesystem;
   std::error_code error;  // a folder that cannot be made shows when a file is written
   for (const FileToWrite& file : files) {
@@ -243,7 +243,7 @@ bool generateInto(TestReport& report, TestTable& table, const Context& context, 
                                  {"coverage.json", "json", coverage.dump(2) + "\n"}};
   files.insert(files.end(), proofs.begin(), proofs.end());
   table = std::move(made.table);
-  return writeAll(context, request.directory, files, report.written);
+  return writeEach(context, request.directory, files, report.written);
 }
 
 }  // namespace rungproof

@@ -23,7 +23,7 @@ namespace {
 constexpr std::string_view setPrefix = "set ", expectPrefix = "expect ";
 constexpr std::uint64_t longestWaitUs = 86'400'000'000;  // a day
 
-std::string_view withoutBlanks(std::string_view text) {
+std::string_view strippedCell(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   return text;
@@ -60,15 +60,15 @@ class TestTableReader {
     std::set<std::string> seen;
     for (std::size_t i = 0; i < table_.heading.size(); ++i) {
       const CsvCell& cell = table_.heading[i];
-      const std::string name = lowered(withoutBlanks(cell.text));
+      const std::string name = lowered(strippedCell(cell.text));
       if (!seen.insert(name).second) {
         fail(cell, fmt::format("column '{}' stands here twice", cell.text), "take one of the two out");
       } else if (name == "test" || name == "step" || name == "wait" || name == "note") {
         own_[name] = i;
       } else if (name.starts_with(setPrefix)) {
-        addSet(i, withoutBlanks(std::string_view(cell.text).substr(setPrefix.size())));
+        addSet(i, strippedCell(std::string_view(cell.text).substr(setPrefix.size())));
       } else if (name.starts_with(expectPrefix)) {
-        addExpect(i, withoutBlanks(std::string_view(cell.text).substr(expectPrefix.size())));
+        addExpect(i, strippedCell(std::string_view(cell.text).substr(expectPrefix.size())));
       } else {
         fail(cell,
              name.empty() ? "this column has no heading" : fmt::format("'{}' is no column of a test table", cell.text),
@@ -110,7 +110,7 @@ class TestTableReader {
 
   std::string cell(const std::vector<CsvCell>& cells, const char* column) const {
     const auto at = own_.find(column);
-    return at == own_.end() ? std::string() : std::string(withoutBlanks(cells[at->second].text));
+    return at == own_.end() ? std::string() : std::string(strippedCell(cells[at->second].text));
   }
 
   void readRow(const std::vector<CsvCell>& cells) {
@@ -141,7 +141,7 @@ class TestTableReader {
   std::optional<double> number(std::size_t column, const CsvCell& cell, std::string_view text,
                                const TraceSignal& signal) {
     std::string reason;
-    const std::string plain = plainCell(withoutBlanks(text), table_.separator != ',');
+    const std::string plain = plainCell(strippedCell(text), table_.separator != ',');
     std::optional<double> result = valueIn(plain, signal, reason);
     if (!result)
       failIn(column, cell, reason,
@@ -185,9 +185,9 @@ class TestTableReader {
 }  // namespace
 
 std::optional<TestWait> waitNamed(std::string_view text) {
-  const std::string lower = lowered(withoutBlanks(text));
+  const std::string lower = lowered(strippedCell(text));
   const std::size_t digits = std::min(lower.find_first_not_of("0123456789"), lower.size());
-  const std::string_view unit = withoutBlanks(std::string_view(lower).substr(digits));
+  const std::string_view unit = strippedCell(std::string_view(lower).substr(digits));
   if (digits > 0 && (unit == "scan" || unit == "scans")) {
     std::uint64_t scans = 0;
     const auto [end, error] = std::from_chars(lower.data(), lower.data() + digits, scans);

@@ -84,7 +84,7 @@ struct SheetRow {
   std::string action, wait, seen, remark;
 };
 
-std::vector<SheetRow> rowsOf(const TestTable& table, const TestCase& test) {
+std::vector<SheetRow> sheetRowsOf(const TestTable& table, const TestCase& test) {
   std::vector<SheetRow> rows;
   const std::vector<Sight> sights = sightsOf(table, test);
   std::vector<double> values(table.sets.size(), 0);
@@ -183,7 +183,7 @@ std::string sheetHtml(const TestSheet& sheet) {
         "<table><thead><tr><th>Step</th><th>Action</th><th>Wait</th><th>Must be seen</th><th>OK</th><th>Remark</th>"
         "</tr></thead><tbody>\n";
     std::size_t number = 0;
-    for (const SheetRow& row : rowsOf(sheet.table, test))
+    for (const SheetRow& row : sheetRowsOf(sheet.table, test))
       text += fmt::format(
           "<tr><td class=\"n\">{}</td><td>{}</td><td class=\"w\">{}</td><td>{}</td><td class=\"box\">"
           "&#9744;</td><td class=\"remark\">{}</td></tr>\n",
@@ -239,7 +239,7 @@ std::string sheetMarkdown(const TestSheet& sheet) {
       text += fmt::format("Networks: {}\n\n", markdownCell(fmt::format("{}", fmt::join(sheet.networks[i], ", "))));
     text += "| Step | Action | Wait | Must be seen | OK | Remark |\n|---:|---|---:|---|:---:|---|\n";
     std::size_t number = 0;
-    for (const SheetRow& row : rowsOf(sheet.table, test))
+    for (const SheetRow& row : sheetRowsOf(sheet.table, test))
       text += fmt::format("| {} | {} | {} | {} | ☐ | {} |\n", ++number, markdownCell(row.action), row.wait,
                           markdownCell(row.seen), markdownCell(row.remark));
     text += "\nDate: ____________ Name: ____________ Signature: ____________\n\n";

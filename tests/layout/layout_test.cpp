@@ -222,8 +222,8 @@ TEST(Layout, LinesAreAsWideAsTheFormatAllows) {
 /// Readers and printers of text, which have to know how instructions are spelt. Everybody else asks the descriptor.
 bool mayKnowSpellings(const Source& source) {
   static const std::set<std::string> rooms = {
-      "ir",           "ir/s7200",       "ir/s7200/isa",       "ir/s7300",         "ir/s7300/isa",    "frontend/iec",
-      "frontend/stl", "frontend/step7", "frontend/graphical", "frontend/plcopen", "frontend/simatic"};
+      "ir",           "ir/s7200",     "ir/s7200/isa",   "ir/s7300",           "ir/s7300/isa",    "ir/iec",
+      "frontend/iec", "frontend/stl", "frontend/step7", "frontend/graphical", "frontend/plcopen"};
   static const std::set<std::string> files = {"explain.cpp", "completion.cpp", "instruction_page.cpp",
                                               "swallowed_text.cpp"};
   return rooms.contains(source.folder) || files.contains(source.path.filename().string());
