@@ -95,7 +95,8 @@ class MutantFinder {
       if (*next == std::pair(given.offset, given.bit)) return;
       changed[index].offset = next->first;
       changed[index].bit = next->second;
-      changed[index].text = ShortText();  // the name is that of the other variable
+      const Symbol* other = isIec(program_.target) ? program_.symbolOf(changed[index]) : nullptr;
+      changed[index].text = other == nullptr ? ShortText() : ShortText(other->name);
       plant("operand", instruction, *instruction.desc, std::move(changed));
       return;
     }
@@ -114,6 +115,18 @@ class MutantFinder {
   std::uint32_t pou_ = 0, network_ = 0, index_ = 0;
   std::vector<Mutant> mutants_;
 };
+
+/// The output that differs, by its variable where the program has no addresses.
+std::string nameOfOutput(const Program& program, const EquivalenceRun& run) {
+  if (!isIec(program.target) || !run.addressBefore) return run.signal;
+  for (const Symbol& symbol : program.symbols) {
+    const Address first = addressOf(symbol.address);
+    const bool covers = first.area == run.addressBefore->area && first.index <= run.addressBefore->index &&
+                        run.addressBefore->index < first.index + extentOf(symbol.address);
+    if (covers) return symbol.name;
+  }
+  return run.signal;
+}
 
 /// The first test that the mutant does not pass; empty: it passes all.
 std::string noticedBy(const Program& mutant, const std::vector<TestTable>& tables, const TestPlayOptions& play) {
@@ -163,7 +176,7 @@ std::vector<KillResult> killMutants(const Program& program, const PropertySet& s
       result.fate = found.equality == Equality::Equal       ? FaultFate::NoEffect
                     : found.equality == Equality::Different ? FaultFate::Unnoticed
                                                             : FaultFate::Undecided;
-      if (found.run) result.where = fmt::format("{} in scan {}", found.run->signal, found.run->scan);
+      if (found.run) result.where = fmt::format("{} in scan {}", nameOfOutput(program, *found.run), found.run->scan);
     }
     results.push_back(std::move(result));
   }
