@@ -19,6 +19,7 @@ constexpr double searchShare = 0.4, proofShare = 0.25;  ///< of the time; proofs
 constexpr std::uint64_t longStretchMs = 700;            ///< of a run of the prover, which a bench waits for
 constexpr double faultShare = 0.15, checkShare = 0.4;
 constexpr int mostSkew = 2;
+constexpr std::uint64_t sweepScans = 2 * mostSkew + 2;            ///< contacts come to rest whatever the skews
 constexpr std::uint64_t longWaitUs = 2000000, marginUs = 600000;  ///< a wait until rest is longer than the time by this
 constexpr std::size_t walkCount = 400, walkLength = 30;           ///< on which planted faults may show
 constexpr std::size_t randomPlays = 12;
@@ -253,11 +254,35 @@ class Generator {
     playTest(simulator, result_.table, test, play);
   }
 
+  /// Numbers through the limits that the program compares with, one below and one above, up and down; with all switches
+  /// off, and with each of them on.
+  std::vector<BenchTest> limitSweeps() const {
+    std::vector<BenchTest> sweeps;
+    const auto isSwitch = [&](std::size_t i) { return signals_.inputs[i].signal.type == SignalType::Bool; };
+    const TestWait rest{sweepScans, 0};
+    for (std::size_t number = 0; number < signals_.inputs.size(); ++number) {
+      if (isSwitch(number)) continue;
+      std::vector<double> values = signals_.inputs[number].values;
+      std::ranges::sort(values);
+      for (std::size_t on = 0; on <= signals_.inputs.size(); ++on) {
+        const bool isPlain = on == signals_.inputs.size();
+        if (!isPlain && !isSwitch(on)) continue;
+        BenchTest steps = {{{}, rest}};
+        if (!isPlain) steps.push_back({{{on, 1.0}}, rest});
+        for (const double value : values) steps.push_back({{{number, value}}, rest});
+        for (auto value = values.rbegin(); value != values.rend(); ++value) steps.push_back({{{number, *value}}, rest});
+        sweeps.push_back(std::move(steps));
+      }
+    }
+    return sweeps;
+  }
+
   /// Faults that the tests do not notice so far: is there a way through what the search has seen on which they show?
   void noticeFaults() {
     const auto end = BenchSearch::Clock::now() + std::chrono::duration_cast<BenchSearch::Clock::duration>(
                                                      std::chrono::duration<double>(options_.seconds * faultShare));
     std::vector<TestCase> candidates;
+    for (const BenchTest& steps : limitSweeps()) candidates.push_back(caseOf(steps));
     for (const BenchTest& steps : walks(search_, options_.seed, walkCount, walkLength))
       candidates.push_back(caseOf(steps));
     for (std::size_t i = 0; i < candidates.size(); ++i) {

@@ -16,7 +16,8 @@ namespace rungproof {
 
 namespace {
 
-constexpr std::size_t mostValues = 9;
+constexpr std::size_t mostValues = 13;
+constexpr std::size_t linesOfComparison = 3;  ///< of a list: LD, and the operators that may compare
 
 bool isWithin(const Operand& operand, const ExternalRange& range) {
   if (operand.area != range.first.area) return false;
@@ -33,17 +34,23 @@ std::vector<double> valuesFor(const Program& program, const TraceSignal& signal)
   const bool isStack = isIec(program.target) || isStep7(program.target);
   for (const Pou& pou : program.pous) {
     if (isIec(program.target) && pou.isBuiltIn) continue;
+    std::size_t sinceNamed = linesOfComparison;  // networks since the operand was named; of a list each is a line
     for (const Network& network : pou.networks) {
       const bool names = std::ranges::any_of(network.instructions, [&](const Instruction& i) {
         return std::ranges::any_of(i.operands, [&](const Operand& o) { return overlaps(o, signal.operand); });
       });
-      if (!names) continue;
+      sinceNamed = names ? 0 : sinceNamed + 1;
+      const bool isNear = isIec(program.target) && sinceNamed < linesOfComparison;
+      if (!names && !isNear) continue;
       for (const Instruction& i : network.instructions) {
         const bool namesIt =
             std::ranges::any_of(i.operands, [&](const Operand& o) { return overlaps(o, signal.operand); });
         if (!isStack && !namesIt) continue;
+        const bool isWidthOnly = isIec(program.target) && expressionRole(i) != ExpressionRole::Constant;
+        if (isWidthOnly) continue;
         for (const Operand& o : i.operands) {
-          if (o.kind == OperandKind::Constant)
+          const bool isWidth = isIec(program.target) && &o != i.operands.data();
+          if (o.kind == OperandKind::Constant && !isWidth)
             constants.insert(numberOf(static_cast<std::uint64_t>(o.value), signal.type, signal.width()));
         }
       }

@@ -173,6 +173,20 @@ TEST_F(Generate, KillsPlantedFaults) {
   EXPECT_TRUE(hasPolarity);
 }
 
+// A number is tried at each limit, one below and one above: > for >= and 101 for 100 are noticed, in a list too, where
+// each line is a network of its own.
+TEST_F(Generate, NumbersAreTriedAtTheirLimits) {
+  const std::string variables = "PROGRAM main\nVAR_INPUT level : INT; END_VAR\nVAR_OUTPUT high, low : BOOL; END_VAR\n";
+  for (const std::string body : {"high := level >= 100; low := level < 20;",
+                                 "  LD level\n  GE 100\n  ST high\n  LD level\n  LT 20\n  ST low\n"}) {
+    const std::string program = write("limits.st", variables + body + "\nEND_PROGRAM\n");
+    generate(program, 0);
+    const nlohmann::json kills = json({program, "--table", path("out/tests.csv"), "--kill"}, 0)["kills"];
+    EXPECT_EQ(kills["unnoticed"], 0) << body << kills.dump(1);
+    EXPECT_GE(kills["noticed"].get<int>(), 4) << body << kills.dump(1);
+  }
+}
+
 TEST_F(Generate, WritesNothingWhereItCannot) {
   const std::string program = write("motor.awl", motorProgram);
   const std::string blocked = write("file", "");  // a file where the folder should be
