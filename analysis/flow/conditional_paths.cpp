@@ -211,15 +211,7 @@ void PathKnowledge::apply(const Facts& facts, const Instruction& instruction) {
       levels_ = levels;
       return endString();
     }
-    case StatementRole::StartTimer:
-    case StatementRole::ResetTimer:
-    case StatementRole::FreeTimer:
-    case StatementRole::CountUp:
-    case StatementRole::CountDown:
-    case StatementRole::SetCounter:
-    case StatementRole::ResetCounter:
-    case StatementRole::FreeCounter: return endString();
-    default: return forgetWritten(facts, instruction);
+    default: return drivesElement(role) ? endString() : forgetWritten(facts, instruction);
   }
 }
 

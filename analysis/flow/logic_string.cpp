@@ -49,19 +49,11 @@ void applyStatement(LogicState& state, std::uint32_t at, StatementRole role) {
       state.rloMaker = state.brMaker = byCallee;
       state.firstCheck = mayBe0;
       return;
-    case StatementRole::Assign:
-    case StatementRole::Latch:
-    case StatementRole::StartTimer:
-    case StatementRole::ResetTimer:
-    case StatementRole::FreeTimer:
-    case StatementRole::CountUp:
-    case StatementRole::CountDown:
-    case StatementRole::SetCounter:
-    case StatementRole::ResetCounter:
-    case StatementRole::FreeCounter:
     case StatementRole::JumpByBr:
     case StatementRole::OpenRelay: state.firstCheck = mayBe0; return;
-    default: return;
+    default:
+      if (drivesBit(role) || drivesElement(role)) state.firstCheck = mayBe0;
+      return;
   }
 }
 
@@ -90,22 +82,12 @@ bool usesRlo(StatementRole role) {
     case StatementRole::Edge:
     case StatementRole::Negate:
     case StatementRole::Save:
-    case StatementRole::Assign:
-    case StatementRole::Latch:
-    case StatementRole::StartTimer:
-    case StatementRole::ResetTimer:
-    case StatementRole::FreeTimer:
-    case StatementRole::CountUp:
-    case StatementRole::CountDown:
-    case StatementRole::SetCounter:
-    case StatementRole::ResetCounter:
-    case StatementRole::FreeCounter:
     case StatementRole::JumpByRlo:
     case StatementRole::JumpKeepingRlo:
     case StatementRole::EndByRlo:
     case StatementRole::CallByRlo:
     case StatementRole::OpenRelay: return true;
-    default: return false;
+    default: return drivesBit(role) || drivesElement(role);
   }
 }
 

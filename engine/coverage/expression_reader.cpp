@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engine/coverage/logic_reader.hpp"
+#include "engine/coverage/step_words.hpp"
 #include "ir/iec/expression_role.hpp"
 
 namespace rungproof {
@@ -54,7 +55,7 @@ class ExpressionReader final : public LogicReader {
       pop();
       if (!isNamed(instruction.operands[0])) return;
       output(instruction, false, place);
-      if (constant != nullptr && words_.contains(instruction.operands[0].offset))
+      if (constant != nullptr && words_.contains(instruction.operands[0]))
         transition({TransitionKind::StepWord, &instruction,
                     nameOf(instruction.operands[0]) + " -> " + std::to_string(constant->operands[0].value),
                     static_cast<std::uint64_t>(constant->operands[0].value), place});
@@ -142,8 +143,6 @@ class ExpressionReader final : public LogicReader {
 
   /// Numbers to which only constants are stored, two at least, and which are compared with constants or select a CASE.
   void findStepVariables() {
-    std::map<std::uint32_t, std::set<std::int64_t>> stored;
-    std::set<std::uint32_t> otherwise, compared;
     for (const Pou& pou : program().pous) {
       for (const Network& network : pou.networks) {
         const std::vector<Instruction>& list = network.instructions;
@@ -153,27 +152,25 @@ class ExpressionReader final : public LogicReader {
         for (std::size_t i = 0; i < list.size(); ++i) {
           if (isRole(i, ExpressionRole::Store) && isNamed(list[i].operands[0])) {
             if (i > 0 && isRole(i - 1, ExpressionRole::Constant))
-              stored[list[i].operands[0].offset].insert(list[i - 1].operands[0].value);
+              words_.moves(list[i].operands[0], list[i - 1].operands[0].value);
             else
-              otherwise.insert(list[i].operands[0].offset);
+              words_.writes(list[i].operands[0]);
           }
           if (!isRole(i, ExpressionRole::Load)) continue;
           const bool isSelector = isRole(i + 1, ExpressionRole::Store) && !isNamed(list[i + 1].operands[0]);
           const bool isCompared =
               i + 2 < list.size() && isRole(i + 1, ExpressionRole::Constant) &&
               (list[i + 2].desc->relation == Relation::Equal || list[i + 2].desc->relation == Relation::NotEqual);
-          if (isSelector || isCompared) compared.insert(list[i].operands[0].offset);
+          if (isSelector || isCompared) words_.selects(list[i].operands[0]);
         }
       }
-    }
-    for (const auto& [offset, values] : stored) {
-      if (values.size() > 1 && compared.contains(offset) && !otherwise.contains(offset)) words_.insert(offset);
     }
   }
 
   std::vector<LogicNode> stack_;
   std::map<std::uint32_t, LogicNode> temporaries_;  ///< by bit address
-  std::set<std::uint32_t> named_, words_;
+  std::set<std::uint32_t> named_;
+  StepWords words_;
   bool isChart_ = false;
   const Instruction* constant_ = nullptr;
 };

@@ -1,8 +1,6 @@
 // The RLO of an S7-300/400: first check, AND groups joined by O, nesting levels (002:2697-2714), as trees.
-#include <map>
-#include <set>
-
 #include "engine/coverage/logic_reader.hpp"
+#include "engine/coverage/step_words.hpp"
 #include "ir/s7300/statement_detail.hpp"
 
 namespace rungproof {
@@ -63,28 +61,15 @@ class RloReader final : public LogicReader {
       case StatementRole::ClearRlo:
         state_ = {trees().constant(role == StatementRole::SetRlo), std::nullopt, false};
         return;
-      case StatementRole::Assign:
-      case StatementRole::Latch:
-      case StatementRole::StartTimer:
-      case StatementRole::ResetTimer:
-      case StatementRole::FreeTimer:
-      case StatementRole::CountUp:
-      case StatementRole::CountDown:
-      case StatementRole::SetCounter:
-      case StatementRole::ResetCounter:
-      case StatementRole::FreeCounter: use(instruction, place); return end();
       case StatementRole::JumpByRlo:
       case StatementRole::JumpKeepingRlo:
       case StatementRole::EndByRlo:
       case StatementRole::CallByRlo: use(instruction, place); return forget();
       case StatementRole::Transfer:
         output(instruction, false, place);
-        if (loaded != nullptr && !instruction.operands.empty()) {
-          const Operand& to = instruction.operands[0];
-          if (to.kind == OperandKind::Direct && words_.contains({to.area, to.offset}))
-            transition({TransitionKind::StepWord, &instruction, toString(to) + " -> " + toString(loaded->operands[0]),
-                        static_cast<std::uint64_t>(loaded->operands[0].value), place});
-        }
+        if (const Operand* to = directOf(instruction, role); loaded != nullptr && to != nullptr && words_.contains(*to))
+          transition({TransitionKind::StepWord, &instruction, toString(*to) + " -> " + toString(loaded->operands[0]),
+                      static_cast<std::uint64_t>(loaded->operands[0].value), place});
         return;
       case StatementRole::Load: loaded_ = isConstantLoad(instruction) ? &instruction : nullptr; return;
       case StatementRole::Call: output(instruction, false, place); return forget();
@@ -95,6 +80,10 @@ class RloReader final : public LogicReader {
       case StatementRole::Distributor:
       case StatementRole::End: return forget();
       default:
+        if (drivesBit(role) || drivesElement(role)) {
+          use(instruction, place);
+          return end();
+        }
         if (instruction.desc->control == Control::LabelMark) forget();
         return;
     }
@@ -140,44 +129,36 @@ class RloReader final : public LogicReader {
            instruction.operands[0].kind == OperandKind::Constant;
   }
 
+  /// The place that a statement of the role names, or nullptr.
+  static const Operand* directOf(const Instruction& instruction, StatementRole role) {
+    const bool isDirect = statementRole(instruction) == role && !instruction.operands.empty() &&
+                          instruction.operands[0].kind == OperandKind::Direct;
+    return isDirect ? &instruction.operands[0] : nullptr;
+  }
+
   void findStepWords() {
-    using Word = std::pair<Area, std::uint32_t>;
-    std::map<Word, std::set<std::int64_t>> compared, moved;
-    std::set<Word> otherwise;
     for (const Pou& pou : program().pous) {
       for (const Network& network : pou.networks) {
         const std::vector<Instruction>& list = network.instructions;
         for (std::size_t i = 0; i < list.size(); ++i) {
-          const StatementRole role = statementRole(list[i]);
-          const auto isWord = [&](std::size_t at) {
-            return statementRole(list[at]) == StatementRole::Load && !list[at].operands.empty() &&
-                   list[at].operands[0].kind == OperandKind::Direct;
-          };
-          if (i >= 2 && comparesForEquality(list[i]) && isWord(i - 2) && isConstantLoad(list[i - 1]))
-            compared[{list[i - 2].operands[0].area, list[i - 2].operands[0].offset}].insert(
-                list[i - 1].operands[0].value);
-          if (role != StatementRole::Transfer || list[i].operands.empty() ||
-              list[i].operands[0].kind != OperandKind::Direct)
-            continue;
-          const Word word{list[i].operands[0].area, list[i].operands[0].offset};
+          if (i >= 2 && comparesForEquality(list[i]) && directOf(list[i - 2], StatementRole::Load) != nullptr &&
+              isConstantLoad(list[i - 1]))
+            words_.compares(list[i - 2].operands[0], list[i - 1].operands[0].value);
+          const Operand* const to = directOf(list[i], StatementRole::Transfer);
+          if (to == nullptr) continue;
           if (i >= 1 && isConstantLoad(list[i - 1]))
-            moved[word].insert(list[i - 1].operands[0].value);
+            words_.moves(*to, list[i - 1].operands[0].value);
           else
-            otherwise.insert(word);
+            words_.writes(*to);
         }
       }
-    }
-    for (const auto& [word, values] : moved) {
-      const auto met = compared.find(word);
-      if (values.size() > 1 && met != compared.end() && met->second.size() > 1 && !otherwise.contains(word))
-        words_.insert(word);
     }
   }
 
   State state_;
   std::vector<std::pair<State, ScanJoin>> levels_;
   const Instruction* loaded_ = nullptr;
-  std::set<std::pair<Area, std::uint32_t>> words_;
+  StepWords words_;
 };
 
 }  // namespace

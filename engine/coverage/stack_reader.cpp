@@ -1,10 +1,9 @@
 // The logic stack of an S7-200, level by level as trees (001:2753-2857).
 #include <algorithm>
 #include <array>
-#include <map>
-#include <set>
 
 #include "engine/coverage/logic_reader.hpp"
+#include "engine/coverage/step_words.hpp"
 #include "ir/s7200/frame.hpp"
 
 namespace rungproof {
@@ -90,7 +89,7 @@ class StackReader final : public LogicReader {
     const bool isDirect = !instruction.operands.empty() && instruction.operands[0].kind == OperandKind::Direct;
     if (isSet(desc.role) && isDirect && instruction.operands[0].area == Area::S)
       transition({TransitionKind::SetStep, &instruction, "-> " + toString(instruction.operands[0]), 0, place});
-    if (const Operand* to = movedConstant(instruction); to != nullptr && words_.contains({to->area, to->offset}))
+    if (const Operand* to = movedConstant(instruction); to != nullptr && words_.contains(*to))
       transition({TransitionKind::StepWord, &instruction, toString(*to) + " -> " + toString(instruction.operands[0]),
                   static_cast<std::uint64_t>(instruction.operands[0].value), place});
   }
@@ -104,37 +103,29 @@ class StackReader final : public LogicReader {
   }
 
   void findStepWords() {
-    using Word = std::pair<Area, std::uint32_t>;
-    std::map<Word, std::set<std::int64_t>> compared, moved;
-    std::set<Word> otherwise;
     for (const Pou& pou : program().pous) {
       for (const Network& network : pou.networks) {
         for (const Instruction& i : network.instructions) {
           const bool equality = i.desc->relation == Relation::Equal || i.desc->relation == Relation::NotEqual;
           if (equality && i.operands.size() == 2 && i.operands[0].kind == OperandKind::Direct &&
               i.operands[1].kind == OperandKind::Constant)
-            compared[{i.operands[0].area, i.operands[0].offset}].insert(i.operands[1].value);
+            words_.compares(i.operands[0], i.operands[1].value);
           if (const Operand* to = movedConstant(i))
-            moved[{to->area, to->offset}].insert(i.operands[0].value);
+            words_.moves(*to, i.operands[0].value);
           else
             for (std::size_t k = 0; k < i.operands.size() && k < i.desc->operandCount; ++k) {
               if (i.desc->operands[k].direction != Direction::In && i.operands[k].kind == OperandKind::Direct &&
                   i.operands[k].width != Width::Bit)
-                otherwise.emplace(i.operands[k].area, i.operands[k].offset);
+                words_.writes(i.operands[k]);
             }
         }
       }
-    }
-    for (const auto& [word, values] : moved) {
-      const auto met = compared.find(word);
-      if (values.size() > 1 && met != compared.end() && met->second.size() > 1 && !otherwise.contains(word))
-        words_.insert(word);
     }
   }
 
   std::array<LogicNode, mostStackLevels> stack_{};
   std::string segment_;
-  std::set<std::pair<Area, std::uint32_t>> words_;
+  StepWords words_;
 };
 
 }  // namespace

@@ -99,6 +99,22 @@ bool loadsBlockFact(const Instruction& instruction);
 const Desc* setRloStatement();
 /// JO, JOS, and scans of OV and OS.
 bool asksOverflow(const Instruction& instruction);
+/// Whether it starts, moves, sets or resets a timer or counter by its RLO, and so ends the logic string.
+constexpr bool drivesElement(StatementRole role) {
+  switch (role) {
+    case StatementRole::StartTimer:
+    case StatementRole::ResetTimer:
+    case StatementRole::FreeTimer:
+    case StatementRole::CountUp:
+    case StatementRole::CountDown:
+    case StatementRole::SetCounter:
+    case StatementRole::ResetCounter:
+    case StatementRole::FreeCounter: return true;
+    default: return false;
+  }
+}
+/// =, S and R of a bit: they end the logic string too.
+constexpr bool drivesBit(StatementRole role) { return role == StatementRole::Assign || role == StatementRole::Latch; }
 /// Whether it leaves all accumulators alone and the next statement of the text runs behind it.
 constexpr bool keepsAccus(StatementRole role) {
   switch (role) {
@@ -113,19 +129,9 @@ constexpr bool keepsAccus(StatementRole role) {
     case StatementRole::SetRlo:
     case StatementRole::ClearRlo:
     case StatementRole::Save:
-    case StatementRole::Assign:
-    case StatementRole::Latch:
     case StatementRole::Transfer:
-    case StatementRole::StartTimer:
-    case StatementRole::ResetTimer:
-    case StatementRole::FreeTimer:
-    case StatementRole::SetCounter:
-    case StatementRole::ResetCounter:
-    case StatementRole::FreeCounter:
-    case StatementRole::CountUp:
-    case StatementRole::CountDown:
     case StatementRole::Nothing: return true;
-    default: return false;
+    default: return drivesElement(role) || drivesBit(role);
   }
 }
 /// Whether it starts a timer, or moves or sets a counter, when its RLO rises or falls.
