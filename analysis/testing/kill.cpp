@@ -9,6 +9,7 @@
 #include <set>
 
 #include "analysis/equivalence/equivalence.hpp"
+#include "analysis/equivalence/output_name.hpp"
 #include "analysis/testing/test_signals.hpp"
 #include "ir/dialect.hpp"
 #include "ir/iec/expression_role.hpp"
@@ -116,18 +117,6 @@ class MutantFinder {
   std::vector<Mutant> mutants_;
 };
 
-/// The output that differs, by its variable where the program has no addresses.
-std::string nameOfOutput(const Program& program, const EquivalenceRun& run) {
-  if (!isIec(program.target) || !run.addressBefore) return run.signal;
-  for (const Symbol& symbol : program.symbols) {
-    const Address first = addressOf(symbol.address);
-    const bool covers = first.area == run.addressBefore->area && first.index <= run.addressBefore->index &&
-                        run.addressBefore->index < first.index + extentOf(symbol.address);
-    if (covers) return symbol.name;
-  }
-  return run.signal;
-}
-
 /// The first test that the mutant does not pass; empty: it passes all.
 std::string noticedBy(const Program& mutant, const std::vector<TestTable>& tables, const TestPlayOptions& play) {
   for (const TestTable& table : tables) {
@@ -176,7 +165,9 @@ std::vector<KillResult> killMutants(const Program& program, const PropertySet& s
       result.fate = found.equality == Equality::Equal       ? FaultFate::NoEffect
                     : found.equality == Equality::Different ? FaultFate::Unnoticed
                                                             : FaultFate::Undecided;
-      if (found.run) result.where = fmt::format("{} in scan {}", nameOfOutput(program, *found.run), found.run->scan);
+      if (found.run)
+        result.where = fmt::format("{} in scan {}", outputName(program, found.run->addressBefore, found.run->signal),
+                                   found.run->scan);
     }
     results.push_back(std::move(result));
   }

@@ -2,13 +2,12 @@
 #include "analysis/testing/test_signals.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <set>
 
 #include "ir/dialect.hpp"
 #include "ir/iec/expression_role.hpp"
-#include "ir/iec/syntax.hpp"
+#include "ir/iec/variables.hpp"
 #include "ir/overlap.hpp"
 #include "ir/s7200/plan.hpp"
 
@@ -71,28 +70,6 @@ std::vector<double> valuesFor(const Program& program, const TraceSignal& signal)
   return values;
 }
 
-std::string foldedLast(std::string_view name) {
-  std::string folded(name.substr(name.rfind('.') == std::string_view::npos ? 0 : name.rfind('.') + 1));
-  for (char& c : folded) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return folded;
-}
-
-/// IEC 61131-3: names of what programs give out.
-std::set<std::string> outputNames(const Program& program) {
-  std::set<std::string> names;
-  if (program.syntax == nullptr) return names;
-  const auto add = [&](const iec::VariableSyntax& v, bool isOfProgram) {
-    const bool isLocated = v.address.size() > 1 && (v.address[1] == 'Q' || v.address[1] == 'q');
-    if (isLocated || (isOfProgram && v.section == iec::Section::Output)) names.insert(foldedLast(v.name));
-  };
-  for (const iec::BlockSyntax& block : program.syntax->blocks) {
-    if (block.kind != iec::BlockKind::Program) continue;
-    for (const iec::VariableSyntax& v : block.variables) add(v, true);
-  }
-  for (const iec::VariableSyntax& v : program.syntax->globals) add(v, false);
-  return names;
-}
-
 /// Whether some instruction of the program's own text writes the operand.
 bool isDriven(const Program& program, const Operand& operand) {
   for (const Pou& pou : program.pous) {
@@ -112,7 +89,7 @@ bool isDriven(const Program& program, const Operand& operand) {
 TestSignals testSignalsOf(const Program& program, const PropertySet& set) {
   TestSignals result;
   const bool isOfIec = isIec(program.target);
-  const std::set<std::string> given = isOfIec ? outputNames(program) : std::set<std::string>();
+  const ProgramOutputs given(program);
   for (TraceSignal& signal : touchedSignals(program)) {
     const Operand& operand = signal.operand;
     if (isOfIec && signal.name.find("__") != std::string::npos) continue;  // of a chart
@@ -125,7 +102,7 @@ TestSignals testSignalsOf(const Program& program, const PropertySet& set) {
       if (!isKnown) result.inputs.push_back({signal, valuesFor(program, signal)});
       continue;
     }
-    const bool isOutput = isOfIec ? given.contains(foldedLast(signal.name)) && std::ranges::count(signal.name, '.') < 2
+    const bool isOutput = isOfIec ? given.contains(operand)
                                   : operand.area == Area::Q || operand.area == Area::AQ || operand.area == Area::PQ;
     if (isOutput && isDriven(program, operand)) result.outputs.push_back(signal);
     const bool isMemory = operand.area != Area::T && operand.area != Area::SM && operand.area != Area::HC &&

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "analysis/equivalence/equivalence.hpp"
+#include "analysis/equivalence/output_name.hpp"
 #include "frontend/command.hpp"
 #include "frontend/explain/certificate_head.hpp"
 #include "frontend/input/proof_input.hpp"
@@ -59,13 +60,6 @@ Report partOf(const ProgramInput& input, const UnreadCode& unread, const std::ve
   return part;
 }
 
-/// The output as the program names it.
-std::string nameOfOutput(const Program& program, const ObservedVerdict& output) {
-  if (!output.before || !isIec(program.target)) return output.name;
-  const Symbol* symbol = program.symbolOf(wholeVariable(program, operandAt(*output.before)));
-  return symbol == nullptr ? output.name : symbol->name;
-}
-
 Comparison comparisonOf(const Equivalence& found, const Program& before) {
   Comparison comparison;
   comparison.equal = found.equality == Equality::Equal;
@@ -83,7 +77,7 @@ Comparison comparisonOf(const Equivalence& found, const Program& before) {
     std::string open;
     std::set<std::string> named;
     for (const ObservedVerdict& output : found.outputs) {
-      const std::string name = nameOfOutput(before, output);
+      const std::string name = outputName(before, output.before, output.name);
       if (output.equality == Equality::Unknown && named.insert(name).second) open += (open.empty() ? "" : ", ") + name;
     }
     if (!open.empty()) comparison.notes.push_back("undecided: " + open);

@@ -9,6 +9,7 @@
 #include "frontend/simulation/given_columns.hpp"
 #include "frontend/simulation/witness_drawing.hpp"
 #include "frontend/simulation/witness_report.hpp"
+#include "ir/iec/variables.hpp"
 
 namespace rungproof {
 

@@ -7,7 +7,7 @@
 
 #include "analysis/unread/influence.hpp"
 #include "engine/trace.hpp"
-#include "frontend/simulation/witness_report.hpp"
+#include "ir/iec/variables.hpp"
 
 namespace rungproof {
 

@@ -10,6 +10,7 @@
 
 #include "ir/iec/cpu.hpp"
 #include "ir/iec/syntax.hpp"
+#include "ir/iec/variables.hpp"
 
 namespace rungproof {
 
@@ -23,7 +24,7 @@ struct NamedValue {
 
 class Variables {
  public:
-  explicit Variables(const Program& program) : program_(program) {
+  explicit Variables(const Program& program) : outputs_(program) {
     for (const Symbol& symbol : program.symbols) {
       byName_.emplace(iec::foldedName(symbol.name), symbol.address);
       if (seen_.insert(symbol.address.offset).second) values_.push_back({symbol.name, symbol.address});
@@ -32,7 +33,6 @@ class Variables {
       constexpr std::string_view free = "external ";
       if (directive.text.starts_with(free)) inputs_.insert(iec::foldedName(directive.text.substr(free.size())));
     }
-    noteOutputs();
   }
 
   const std::vector<NamedValue>& values() const { return values_; }
@@ -42,49 +42,14 @@ class Variables {
     return found != byName_.end() && found->second.width == value.place.width ? &found->second : nullptr;
   }
   bool isInput(const NamedValue& value) const { return inputs_.contains(iec::foldedName(value.name)); }
-  bool isOutput(const NamedValue& value) const {
-    for (const Symbol& symbol : program_.symbols) {
-      if (symbol.address.offset == value.place.offset && isOfOutput(iec::foldedName(symbol.name))) return true;
-    }
-    return false;
-  }
+  bool isOutput(const NamedValue& value) const { return outputs_.contains(value.place); }
 
  private:
-  void noteOutputs() {
-    if (program_.syntax == nullptr) return;
-    const auto goesOut = [](const iec::VariableSyntax& variable) {
-      const bool isLocated = variable.address.size() > 1 && (variable.address[1] == 'Q' || variable.address[1] == 'q');
-      return variable.section == iec::Section::Output || isLocated;
-    };
-    for (const iec::BlockSyntax& block : program_.syntax->blocks) {
-      if (block.kind != iec::BlockKind::Program) continue;
-      for (const iec::VariableSyntax& variable : block.variables) {
-        if (!goesOut(variable)) continue;
-        outputs_.insert(iec::foldedName(variable.name));
-        outputs_.insert(iec::foldedName(block.name + "." + variable.name));
-        for (const iec::InstanceSyntax& instance : program_.syntax->instances) {
-          if (iec::foldedName(instance.type) == iec::foldedName(block.name))
-            outputs_.insert(iec::foldedName(instance.name + "." + variable.name));
-        }
-      }
-    }
-    for (const iec::VariableSyntax& variable : program_.syntax->globals) {
-      if (goesOut(variable)) outputs_.insert(iec::foldedName(variable.name));
-    }
-  }
-  /// The variable itself, or a part of it.
-  bool isOfOutput(const std::string& name) const {
-    return std::ranges::any_of(outputs_, [&](const std::string& output) {
-      return name.starts_with(output) &&
-             (name.size() == output.size() || name[output.size()] == '.' || name[output.size()] == '[');
-    });
-  }
-
-  const Program& program_;
+  ProgramOutputs outputs_;
   std::map<std::string, Operand> byName_;
   std::vector<NamedValue> values_;
   std::set<std::uint32_t> seen_;
-  std::set<std::string> inputs_, outputs_;
+  std::set<std::string> inputs_;
 };
 
 /// Bytes that neither program uses, for variables that shall have no partner.

@@ -10,6 +10,7 @@
 #include "frontend/simulation/event_place.hpp"
 #include "frontend/simulation/library_columns.hpp"
 #include "ir/iec/cpu.hpp"
+#include "ir/iec/variables.hpp"
 #include "ir/s7300/clock_memory.hpp"
 
 namespace rungproof {
@@ -18,12 +19,6 @@ namespace {
 
 bool matters(const Witness& witness, std::size_t scan, std::size_t input) {
   return witness.matters.empty() ? witness.scans[scan].inputs[input].value != 0 : witness.matters[scan][input];
-}
-
-/// Whether a byte of the memory of variables belongs to the place.
-bool coversByte(const Operand& place, const Operand& byte) {
-  const auto length = static_cast<std::uint32_t>(std::max(bytes(place.width), 1));
-  return place.area == byte.area && place.offset <= byte.offset && byte.offset < place.offset + length;
 }
 
 /// Whether the signal is an input of the scan that may have any value; of several bytes none may matter.
@@ -53,14 +48,6 @@ bool areSame(const TraceRow& a, const TraceRow& b) {
 }
 
 }  // namespace
-
-Operand wholeVariable(const Program& program, const Operand& operand) {
-  if (!isIec(program.target) || operand.area != Area::V) return operand;
-  for (const Symbol& symbol : program.symbols) {
-    if (symbol.address.kind == OperandKind::Direct && coversByte(symbol.address, operand)) return symbol.address;
-  }
-  return operand;
-}
 
 Trace traceOf(const Program& program, const Choices& choices, const Witness& witness,
               const std::vector<TraceSignal>& signals, std::size_t limit, bool hidesIdle) {

@@ -27,9 +27,6 @@ std::vector<TraceSignal> signalsThatMatter(const Program& program, const ProofRe
 /// empty if there is nothing.
 std::string startText(const Program& program, const Choices& choices, const Witness& witness);
 
-/// IEC 61131-3: the variable to which a byte or bit of the memory belongs; another operand as it is.
-Operand wholeVariable(const Program& program, const Operand& operand);
-
 /// Lines of a table: scan, time at its end, interrupts at their places if there are any, values. Runs of equal rows are
 /// drawn together; at most `rows` rows.
 std::vector<std::string> tableOf(const Trace& trace, std::size_t rows = 24);
