@@ -4,7 +4,7 @@
 #include "frontend/cli/cli.hpp"
 #include "frontend/explain/certificate_head.hpp"
 #include "frontend/files/sha256.hpp"
-#include "program_run.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "frontend/command.hpp"
-#include "program_run.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof {
 namespace {

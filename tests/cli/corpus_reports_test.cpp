@@ -10,8 +10,8 @@
 #include <set>
 
 #include "ir/s7200/cpu.hpp"
-#include "program_run.hpp"
 #include "schema_check.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof {
 namespace {

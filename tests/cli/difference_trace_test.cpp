@@ -2,8 +2,8 @@
 // `sim`, each does what the trace says of it.
 #include <gtest/gtest.h>
 
-#include "program_run.hpp"
 #include "tests/equivalence/pairs.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof::test {
 namespace {

@@ -8,8 +8,8 @@
 #include "frontend/command.hpp"
 #include "frontend/settings/config.hpp"
 #include "ir/hazard.hpp"
-#include "program_run.hpp"
 #include "schema_check.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "program_run.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof::test {
 namespace {

@@ -4,30 +4,17 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
-#include "frontend/cli/cli.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof {
 namespace {
 
-std::string content(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
 int run(std::vector<std::string> arguments, std::string* out = nullptr, std::string* err = nullptr) {
-  std::istringstream in;
-  std::ostringstream output, errors;
   arguments.push_back("--isolated");
-  const int code = runProgram(arguments, {in, output, errors});
-  if (out != nullptr) *out = output.str();
-  if (err != nullptr) *err = errors.str();
-  return code;
+  test::ProgramRun result = test::run(arguments);
+  if (out != nullptr) *out = std::move(result.out);
+  if (err != nullptr) *err = std::move(result.err);
+  return result.exit;
 }
 
 std::string utf16(const std::string& text, bool bigEndian) {
@@ -57,7 +44,7 @@ TEST_P(FixEncoding, KeepsEveryOtherByte) {
   if (!GetParam().option.empty()) arguments.insert(arguments.end(), {"--encoding", GetParam().option});
   std::string err;
   EXPECT_EQ(run(arguments, nullptr, &err), 0) << err;
-  EXPECT_EQ(content(file), GetParam().after);
+  EXPECT_EQ(test::contentOf(file), GetParam().after);
 }
 
 std::vector<Encoded> encodings() {
@@ -87,7 +74,7 @@ TEST(Fix, BytesThatTheEncodingDoesNotKnowAreLeftAlone) {
   std::string err;
   EXPECT_EQ(run({"lint", "--fix", "--encoding", "utf-8", file}, nullptr, &err), 2);
   EXPECT_NE(err.find("was not fixed: some of its bytes do not belong to its encoding"), std::string::npos) << err;
-  EXPECT_EQ(content(file), text);
+  EXPECT_EQ(test::contentOf(file), text);
 }
 
 TEST(Fix, DiffOfALastLineWithoutItsEnd) {

@@ -15,7 +15,7 @@
 
 #include "frontend/files/disk_file.hpp"
 #include "frontend/text/safe_text.hpp"
-#include "program_run.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof::test {
 namespace {

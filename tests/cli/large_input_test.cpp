@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "program_run.hpp"
 #include "tests/measured_process.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof::test {
 namespace {

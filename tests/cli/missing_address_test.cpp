@@ -3,7 +3,7 @@
 // (000: table of ranges).
 #include <gtest/gtest.h>
 
-#include "program_run.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof::test {
 namespace {

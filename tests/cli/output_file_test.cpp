@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "program_run.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof::test {
 namespace {

@@ -9,7 +9,7 @@
 #include <regex>
 #include <sstream>
 
-#include "program_run.hpp"
+#include "tests/program_run.hpp"
 #include "tests/step7/flgnet_text.hpp"
 #include "tests/step7/run7.hpp"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "analysis/rule.hpp"
-#include "program_run.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof {
 namespace {

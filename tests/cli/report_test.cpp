@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "frontend/test_results.hpp"
-#include "program_run.hpp"
 #include "schema_check.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof {
 namespace {

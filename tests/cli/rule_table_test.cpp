@@ -7,7 +7,7 @@
 
 #include "analysis/lint/lint.hpp"
 #include "frontend/settings/code_list.hpp"
-#include "program_run.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof {
 namespace {

@@ -11,7 +11,7 @@
 #include "frontend/picture/timing_diagram.hpp"
 #include "frontend/report.hpp"
 #include "frontend/text/excerpt.hpp"
-#include "program_run.hpp"
+#include "tests/program_run.hpp"
 #include "tests/trace/traces.hpp"
 #define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>

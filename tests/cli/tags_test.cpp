@@ -6,7 +6,7 @@
 
 #include "frontend/input/tag_list.hpp"
 #include "frontend/property/external_range.hpp"
-#include "program_run.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof {
 namespace {

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/schedule/technique.hpp"
-#include "program_run.hpp"
 #include "schema_check.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof::test {
 namespace {

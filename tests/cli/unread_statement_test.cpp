@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "program_run.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "frontend/input/program_input.hpp"
-#include "program_run.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof {
 namespace {

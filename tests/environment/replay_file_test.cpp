@@ -2,33 +2,14 @@
 // (001:6592, 001:14054).
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
-#include "frontend/cli/cli.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof {
 namespace {
 
-struct CommandRun {
-  int code;
-  std::string out;
-};
-
-CommandRun command(std::vector<std::string> arguments) {
-  std::istringstream in;
-  std::ostringstream out, err;
+test::ProgramRun command(std::vector<std::string> arguments) {
   arguments.push_back("--isolated");
-  const int code = runProgram(arguments, {in, out, err});
-  return {code, out.str()};
-}
-
-std::string textOf(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
+  return test::run(arguments);
 }
 
 /// Proves a violated property named p, and runs the CSV of its witness as a stimulus: the column of Q0.0 is the same.
@@ -36,10 +17,11 @@ void expectRepeated(const std::string& program, const std::string& property, con
   SCOPED_TRACE(program);
   const test::TemporaryFolder folder;
   const std::string file = folder.file("p.awl", "//@ prove p: " + property + "\n" + program);
-  EXPECT_EQ(command({"prove", file, "--scan-time", "10ms", "--traces", folder.path("t")}).code, 1);
+  EXPECT_EQ(command({"prove", file, "--scan-time", "10ms", "--traces", folder.path("t")}).exit, 1);
   const std::string csv = folder.path("t/p.csv");
-  EXPECT_NE(textOf(csv).find(clock), std::string::npos) << textOf(csv);
-  EXPECT_EQ(command({"sim", file, "--stimulus", csv, "--expect", csv, "--scan-time", "10ms"}).code, 0) << textOf(csv);
+  EXPECT_NE(test::contentOf(csv).find(clock), std::string::npos) << test::contentOf(csv);
+  EXPECT_EQ(command({"sim", file, "--stimulus", csv, "--expect", csv, "--scan-time", "10ms"}).exit, 0)
+      << test::contentOf(csv);
 }
 
 TEST(WitnessFile, CarriesThePhaseOfTheTimeBases) {
@@ -58,9 +40,9 @@ TEST(WitnessFile, PhaseIsAnOptionOfSim) {
   const test::TemporaryFolder folder;
   const std::string file = folder.file("p.awl", "LD SM0.0\nTON T37, 1\nLD T37\n= Q0.0\n");
   const std::string expected = folder.file("e.csv", "scan,Q0.0\n1,0\n2,1\n");
-  EXPECT_EQ(command({"sim", file, "--expect", expected, "--phase", "90ms"}).code, 0);
-  EXPECT_EQ(command({"sim", file, "--expect", expected}).code, 1);
-  EXPECT_EQ(command({"sim", file, "--phase", "soon"}).code, 2);
+  EXPECT_EQ(command({"sim", file, "--expect", expected, "--phase", "90ms"}).exit, 0);
+  EXPECT_EQ(command({"sim", file, "--expect", expected}).exit, 1);
+  EXPECT_EQ(command({"sim", file, "--phase", "soon"}).exit, 2);
 }
 
 }  // namespace

@@ -10,7 +10,6 @@ namespace rungproof {
 namespace {
 
 using s7project::Archive;
-using test::runWith;
 using test::TemporaryFolder;
 
 TEST(S7Archive, HoldsWhatWasPacked) {
@@ -34,7 +33,7 @@ TEST(S7Archive, DamageIsSaid) {
   // A packed file whose bytes are wrong: the part is missing, and nothing crashes.
   std::string packed = whole;
   for (std::size_t i = 200; i < 400; ++i) packed[i] = '\x55';
-  const test::Run run = runWith({"lint", "--isolated", folder.file("p.zip", packed)});
+  const test::ProgramRun run = test::run({"lint", "--isolated", folder.file("p.zip", packed)});
   EXPECT_GE(run.exit, 0);
 }
 

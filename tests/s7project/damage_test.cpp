@@ -8,7 +8,6 @@
 namespace rungproof {
 namespace {
 
-using test::runWith;
 using test::TemporaryFolder;
 
 using Files = std::map<std::string, std::string>;
@@ -81,7 +80,7 @@ TEST(S7Damage, IsSaidWithFileAndPlace) {
     ASSERT_NE(bytes, nullptr) << damage.file;
     damage.change(*bytes);
     const TemporaryFolder folder;
-    const test::Run run = runWith({"lint", "--isolated", writeFiles(folder, files)});
+    const test::ProgramRun run = test::run({"lint", "--isolated", writeFiles(folder, files)});
     EXPECT_TRUE(run.says(damage.said)) << damage.file << "\n" << run.out << run.err;
     EXPECT_NE(run.exit, 0) << damage.file;
   }
@@ -116,14 +115,15 @@ TEST(S7Damage, OfOneBlockLeavesTheOthersReadable) {
     }
     const TemporaryFolder folder;
     const std::string project = writeFiles(folder, test::writeProject({part}, 1252));
-    const test::Run run = runWith({"lint", "--isolated", project});
+    const test::ProgramRun run = test::run({"lint", "--isolated", project});
     EXPECT_TRUE(run.says("FC2 is not read")) << run.out << run.err;
     EXPECT_TRUE(run.says(damage.said)) << damage.said << run.out;
-    const test::Run shown = runWith({"show", "--isolated", "--as", "stl", "--pou", "FC1", "--no-findings", project});
+    const test::ProgramRun shown =
+        test::run({"show", "--isolated", "--as", "stl", "--pou", "FC1", "--no-findings", project});
     EXPECT_TRUE(shown.says("O      #Start")) << shown.out << shown.err;
     // What depends on it is not proved.
     const std::string properties = folder.file("p.props", "prove value: MW12 == 0\n");
-    const test::Run proved = runWith({"prove", "--isolated", "--props", properties, project});
+    const test::ProgramRun proved = test::run({"prove", "--isolated", "--props", properties, project});
     EXPECT_TRUE(proved.says("NOT COVERED")) << proved.out << proved.err;
   }
 }
@@ -142,9 +142,9 @@ TEST(S7Damage, RandomBytesDoNotCrash) {
       file->second[random() % file->second.size()] = static_cast<char>(random());
     const TemporaryFolder folder;
     const std::string project = writeFiles(folder, files);
-    const int exit = runWith({"lint", "--isolated", project}).exit;
+    const int exit = test::run({"lint", "--isolated", project}).exit;
     EXPECT_TRUE(exit >= 0 && exit <= 3) << file->first;
-    EXPECT_GE(runWith({"show", "--isolated", "--list", project}).exit, 0) << file->first;
+    EXPECT_GE(test::run({"show", "--isolated", "--list", project}).exit, 0) << file->first;
   }
 }
 

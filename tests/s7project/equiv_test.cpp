@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "frontend/mc7/upload.hpp"
 #include "tests/s7project/plant.hpp"
@@ -10,26 +9,20 @@
 namespace rungproof {
 namespace {
 
-using test::runWith;
 using test::TemporaryFolder;
-
-std::string textOfFile(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 TEST(S7Equiv, CorpusAndItsMachineCodeAreEqual) {
   int count = 0;
   for (const auto& entry :
        std::filesystem::directory_iterator(std::filesystem::path(RUNGPROOF_SOURCE_DIR) / "corpus/s7300")) {
-    const std::string text = textOfFile(entry.path());
+    const std::string text = test::contentOf(entry.path());
     test::ProjectPart part;
     const test::CompiledSource compiled = test::compileSource(text);
     ASSERT_EQ(compiled.fault, "") << entry.path();
     part.blocks = compiled.blocks;
     const TemporaryFolder folder;
     const std::string project = writeFiles(folder, test::writeProject({part}, 1252));
-    const test::Run run = runWith({"equiv", "--isolated", entry.path().string(), project});
+    const test::ProgramRun run = test::run({"equiv", "--isolated", entry.path().string(), project});
     EXPECT_EQ(run.exit, 0) << entry.path() << run.out << run.err;
     EXPECT_TRUE(run.says("EQUAL")) << run.out;
     ++count;
@@ -41,7 +34,8 @@ TEST(S7Equiv, CallsAndTheirMachineCodeAreEqual) {
   const TemporaryFolder folder;
   const std::string source = folder.file("plant.awl", test::plantSource());
   const std::string project = writeFiles(folder, test::writeProject({test::plantPart()}, 1252));
-  const test::Run run = runWith({"equiv", "--isolated", source, project, "--observe", "Q0.0,Q0.2,MW12,M92.0,MB91"});
+  const test::ProgramRun run =
+      test::run({"equiv", "--isolated", source, project, "--observe", "Q0.0,Q0.2,MW12,M92.0,MB91"});
   EXPECT_EQ(run.exit, 0) << run.out << run.err;
 }
 
@@ -55,7 +49,7 @@ TEST(S7Equiv, ChangedConstantIsDifferent) {
   const std::string before = folder.file("before.awl", source);
   for (const mc7::StoredBlock& block : test::compileSource(changed).blocks)
     folder.file("upload/" + toString(block.key) + ".bin", mc7::writeUpload(block));
-  const test::Run run = runWith({"equiv", "--isolated", "--external", "MW10", before, folder.path("upload")});
+  const test::ProgramRun run = test::run({"equiv", "--isolated", "--external", "MW10", before, folder.path("upload")});
   EXPECT_EQ(run.exit, 1) << run.out << run.err;
   EXPECT_TRUE(run.says("DIFFERENT")) << run.out << run.err;
 }

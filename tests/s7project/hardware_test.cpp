@@ -8,7 +8,6 @@
 namespace rungproof {
 namespace {
 
-using test::runWith;
 using test::TemporaryFolder;
 
 std::string words(std::initializer_list<unsigned> values) {
@@ -33,8 +32,8 @@ test::ProjectPart configured() {
 
 TEST(S7Hardware, DataSetsBecomeOptions) {
   const TemporaryFolder folder;
-  const test::Run run =
-      runWith({"show", "--isolated", "--list", writeFiles(folder, test::writeProject({configured()}, 1252))});
+  const test::ProgramRun run =
+      test::run({"show", "--isolated", "--list", writeFiles(folder, test::writeProject({configured()}, 1252))});
   for (const char* text : {"cpu 315-2", "cycle-monitoring 600ms", "clock-memory MB68", "retentive MB0..MB199",
                            "retentive T0..T2", "retentive C0..C7", "retentive DB10.DBB2..DBB7", "ob35 250ms"})
     EXPECT_TRUE(run.says(text)) << text << "\n" << run.out;
@@ -42,8 +41,8 @@ TEST(S7Hardware, DataSetsBecomeOptions) {
 
 TEST(S7Hardware, AbsentDataSetsAreDefaults) {
   const TemporaryFolder folder;
-  const test::Run run =
-      runWith({"show", "--isolated", "--list", writeFiles(folder, test::writeProject({test::plantPart()}, 1252))});
+  const test::ProgramRun run =
+      test::run({"show", "--isolated", "--list", writeFiles(folder, test::writeProject({test::plantPart()}, 1252))});
   EXPECT_TRUE(run.says("cycle-monitoring 150ms (the default of the CPU)")) << run.out;
   EXPECT_TRUE(run.says("no clock memory (the default of the CPU)")) << run.out;
   EXPECT_TRUE(run.says("ob35 100ms (the default of the CPU)")) << run.out;
@@ -54,9 +53,10 @@ TEST(S7Hardware, ClockMemoryIsThatOfTheConfiguration) {
   const TemporaryFolder folder;
   const std::string project = writeFiles(folder, test::writeProject({configured()}, 1252));
   const std::string properties = folder.file("p.props", "reach flashes: M68.0\n");
-  const test::Run flashing = runWith({"prove", "--isolated", "--props", properties, project});
+  const test::ProgramRun flashing = test::run({"prove", "--isolated", "--props", properties, project});
   EXPECT_EQ(flashing.exit, 0) << flashing.out << flashing.err;
-  const test::Run other = runWith({"prove", "--isolated", "--clock-memory", "MB70", "--props", properties, project});
+  const test::ProgramRun other =
+      test::run({"prove", "--isolated", "--clock-memory", "MB70", "--props", properties, project});
   EXPECT_TRUE(other.says("UNREACHABLE")) << other.out << other.err;
 }
 

@@ -240,14 +240,4 @@ std::string writeFiles(const TemporaryFolder& folder, const std::map<std::string
   return project;
 }
 
-Run runWith(const std::vector<std::string>& arguments) {
-  std::istringstream in;
-  std::ostringstream out, err;
-  Run run;
-  run.exit = runProgram(arguments, {in, out, err});
-  run.out = out.str();
-  run.err = err.str();
-  return run;
-}
-
 }  // namespace rungproof::test

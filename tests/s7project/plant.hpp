@@ -1,14 +1,12 @@
-// A plant of 20 blocks of every kind, and runs of the program over it.
+// A plant of 20 blocks of every kind.
 #pragma once
 
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "frontend/cli/cli.hpp"
+#include "tests/program_run.hpp"
 #include "tests/s7project/block_compiler.hpp"
 #include "tests/s7project/project_writer.hpp"
-#include "tests/temporary_folder.hpp"
 
 namespace rungproof::test {
 
@@ -21,14 +19,5 @@ std::vector<mc7::StoredBlock> oldVersions(const std::vector<mc7::StoredBlock>& b
 
 /// Writes the files below the folder; gives the path of the project file.
 std::string writeFiles(const TemporaryFolder& folder, const std::map<std::string, std::string>& files);
-
-struct Run {
-  int exit = -1;
-  std::string out, err;
-  bool says(std::string_view text) const {
-    return out.find(text) != std::string::npos || err.find(text) != std::string::npos;
-  }
-};
-Run runWith(const std::vector<std::string>& arguments);
 
 }  // namespace rungproof::test

@@ -7,7 +7,6 @@
 namespace rungproof {
 namespace {
 
-using test::runWith;
 using test::TemporaryFolder;
 
 std::string plantIn(const TemporaryFolder& folder, unsigned page = 1252) {
@@ -33,7 +32,7 @@ TEST(S7Project, LiveRowsOnlyCount) {
 
 TEST(S7Project, TreeNamesBlocksWithTheirCounts) {
   const TemporaryFolder folder;
-  const test::Run run = runWith({"show", "--isolated", "--list", plantIn(folder)});
+  const test::ProgramRun run = test::run({"show", "--isolated", "--list", plantIn(folder)});
   EXPECT_EQ(run.exit, 0) << run.err;
   EXPECT_TRUE(run.says("20 blocks, 2 symbols")) << run.out;
   // Six statements and the closing BE; nine of FC 2 and BE; FC 3 in two networks.
@@ -44,7 +43,7 @@ TEST(S7Project, TreeNamesBlocksWithTheirCounts) {
 
 TEST(S7Project, ShowsCallsAndNamesAsTheyWereWritten) {
   const TemporaryFolder folder;
-  const test::Run run = runWith({"show", "--isolated", "--as", "stl", "--no-findings", plantIn(folder)});
+  const test::ProgramRun run = test::run({"show", "--isolated", "--as", "stl", "--no-findings", plantIn(folder)});
   EXPECT_EQ(run.exit, 0) << run.err;
   for (const char* text :
        {"FC1", "O      #Start", "JC     ok", "ok:", "CALL   FC 1 (Start := I0.0, Stop := I0.1, Motor := Q0.0)",
@@ -54,7 +53,7 @@ TEST(S7Project, ShowsCallsAndNamesAsTheyWereWritten) {
 
 TEST(S7Project, LintSaysNothingOfReading) {
   const TemporaryFolder folder;
-  const test::Run run = runWith({"lint", "--isolated", "--format", "concise", plantIn(folder)});
+  const test::ProgramRun run = test::run({"lint", "--isolated", "--format", "concise", plantIn(folder)});
   EXPECT_NE(run.exit, 2) << run.out << run.err;
   EXPECT_FALSE(run.says("SYN")) << run.out;
 }
@@ -64,7 +63,7 @@ TEST(S7Project, ProvesAndRuns) {
   const std::string project = plantIn(folder);
   const std::string properties =
       folder.file("p.props", "prove stop: I0.1 implies not Q0.0\nreach on: Q0.0\nprove value: DB10.DBW0 == 12\n");
-  const test::Run run = runWith({"prove", "--isolated", "--props", properties, project});
+  const test::ProgramRun run = test::run({"prove", "--isolated", "--props", properties, project});
   EXPECT_EQ(run.exit, 0) << run.out << run.err;
   EXPECT_TRUE(run.says("PROVED")) << run.out;
   EXPECT_TRUE(run.says("REACHABLE")) << run.out;
@@ -76,9 +75,9 @@ TEST(S7Project, FolderAndArchiveAreTheSame) {
   const std::string project = plantIn(folder);
   const std::string archive =
       folder.file("plant.zip", test::zipOf(test::writeProject({test::plantPart()}, 1252), "Plant"));
-  const test::Run of = runWith({"show", "--isolated", "--as", "stl", "--no-findings", project});
+  const test::ProgramRun of = test::run({"show", "--isolated", "--as", "stl", "--no-findings", project});
   for (const std::string& name : {folder.path("Plant"), archive}) {
-    const test::Run run = runWith({"show", "--isolated", "--as", "stl", "--no-findings", name});
+    const test::ProgramRun run = test::run({"show", "--isolated", "--as", "stl", "--no-findings", name});
     EXPECT_EQ(run.exit, 0) << run.err;
     EXPECT_EQ(run.out, of.out) << name;
   }
@@ -100,7 +99,7 @@ TEST(S7Project, TextsAreOfTheProjectsCodePage) {
       if (block.key == step7::BlockKey{step7::BlockKind::Ob, 1}) block.networkTexts[0].title = each.bytes;
     }
     const std::string project = writeFiles(folder, test::writeProject({part}, each.page));
-    const test::Run run = runWith({"show", "--isolated", "--pou", "OB1", "--no-findings", project});
+    const test::ProgramRun run = test::run({"show", "--isolated", "--pou", "OB1", "--no-findings", project});
     EXPECT_TRUE(run.says(each.text)) << each.page << run.out << run.err;
   }
 }
@@ -111,19 +110,19 @@ TEST(S7Project, SeveralProgramsAreNamed) {
   second.cpu = "CPU 314";
   second.orderNumber.clear();
   const std::string project = writeFiles(folder, test::writeProject({test::plantPart(), second}, 1252));
-  EXPECT_NE(runWith({"lint", "--isolated", project}).exit, 2);
+  EXPECT_NE(test::run({"lint", "--isolated", project}).exit, 2);
   for (const char* command : {"prove", "sim"}) {
-    const test::Run run = runWith({command, "--isolated", project});
+    const test::ProgramRun run = test::run({command, "--isolated", project});
     EXPECT_EQ(run.exit, 2);
     EXPECT_TRUE(run.says("the project has 2 programs")) << run.err;
     EXPECT_TRUE(run.says("SIMATIC 300(2)/CPU 314/S7 Program(1)")) << run.err;
   }
-  const test::Run named =
-      runWith({"show", "--isolated", "--program", "CPU 314/S7 Program(1)", "--no-findings", project});
+  const test::ProgramRun named =
+      test::run({"show", "--isolated", "--program", "CPU 314/S7 Program(1)", "--no-findings", project});
   EXPECT_EQ(named.exit, 0) << named.err;
-  const test::Run both = runWith({"show", "--isolated", "--no-findings", project});
+  const test::ProgramRun both = test::run({"show", "--isolated", "--no-findings", project});
   EXPECT_EQ(both.out, named.out + "\n" + named.out) << both.err;
-  const test::Run wrong = runWith({"lint", "--isolated", "--program", "nobody", project});
+  const test::ProgramRun wrong = test::run({"lint", "--isolated", "--program", "nobody", project});
   EXPECT_EQ(wrong.exit, 2);
   EXPECT_TRUE(wrong.says("has no program 'nobody'")) << wrong.err;
 }
@@ -134,7 +133,7 @@ TEST(S7Project, OldLayoutIsRefusedByName) {
   std::erase_if(files, [](const auto& file) {
     return file.first.find("ubblk") != std::string::npos || file.first.find("SUBBLK") != std::string::npos;
   });
-  const test::Run run = runWith({"lint", "--isolated", writeFiles(folder, files)});
+  const test::ProgramRun run = test::run({"lint", "--isolated", writeFiles(folder, files)});
   EXPECT_EQ(run.exit, 2);
   EXPECT_TRUE(run.says("old layout of STEP 7 V1 and V2")) << run.err;
 }
@@ -148,7 +147,7 @@ TEST(S7Project, TimeStampConflictIsFound) {
     if (block.key == step7::BlockKey{step7::BlockKind::Ob, 1})
       block.used = {{{step7::BlockKind::Fb, 21}, 4000}, {{step7::BlockKind::Fc, 1}, 0}};
   }
-  const test::Run run = runWith({"lint", "--isolated", writeFiles(folder, test::writeProject({part}, 1252))});
+  const test::ProgramRun run = test::run({"lint", "--isolated", writeFiles(folder, test::writeProject({part}, 1252))});
   EXPECT_TRUE(run.says("OB1 was compiled with another interface of FB21")) << run.out;
 }
 

@@ -8,13 +8,12 @@
 namespace rungproof {
 namespace {
 
-using test::runWith;
 using test::TemporaryFolder;
 
 /// Spellings of what stands in FC 3 and nowhere else, in any set of mnemonics.
 constexpr const char* secrets[] = {"77.3", "4711", "MW78", "MW 78", "Secret of the house"};
 
-void expectSecret(const test::Run& run, const std::string& what) {
+void expectSecret(const test::ProgramRun& run, const std::string& what) {
   for (const char* secret : secrets)
     EXPECT_FALSE(run.says(secret)) << what << ": " << secret << "\n" << run.out << run.err;
 }
@@ -64,13 +63,13 @@ TEST(S7Protected, NoCommandPrintsAStatement) {
     for (const char* format : {"human", "concise", "json", "sarif", "github", "html", "junit"}) {
       std::vector<std::string> given = arguments;
       if (hasFormats) given.insert(given.end(), {"--format", format});
-      expectSecret(runWith(given), what + format);
+      expectSecret(test::run(given), what + format);
       if (!hasFormats) break;
     }
   }
   for (const char* format : {"btor2", "smt2", "smv", "aiger-ascii"})
-    expectSecret(runWith({"export", "--isolated", "--props", properties, "--format", format, project}), format);
-  EXPECT_EQ(runWith({"export", "--isolated", "--props", properties, "--format", "smt2", project}).exit, 2);
+    expectSecret(test::run({"export", "--isolated", "--props", properties, "--format", format, project}), format);
+  EXPECT_EQ(test::run({"export", "--isolated", "--props", properties, "--format", "smt2", project}).exit, 2);
   std::error_code error;
   EXPECT_TRUE(!std::filesystem::exists(folder.path("certificates"), error) ||
               std::filesystem::is_empty(folder.path("certificates"), error));
@@ -81,11 +80,11 @@ TEST(S7Protected, CodeCountsForVerdicts) {
   const TemporaryFolder folder;
   const std::string project = writeFiles(folder, test::writeProject({test::plantPart()}, 1252));
   const std::string properties = folder.file("p.props", "prove both: M77.4 implies M77.3\nreach value: MW78 == 4711\n");
-  const test::Run run = runWith({"prove", "--isolated", "--external", "MB77", "--props", properties, project});
+  const test::ProgramRun run = test::run({"prove", "--isolated", "--external", "MB77", "--props", properties, project});
   EXPECT_TRUE(run.says("REACHABLE")) << run.out << run.err;
   EXPECT_FALSE(run.says("NOT COVERED")) << run.out << run.err;
-  const test::Run contract =
-      runWith({"prove", "--isolated", "--protected", "contract", "--props", properties, project});
+  const test::ProgramRun contract =
+      test::run({"prove", "--isolated", "--protected", "contract", "--props", properties, project});
   EXPECT_TRUE(contract.says("NOT COVERED")) << contract.out << contract.err;
   EXPECT_TRUE(contract.says("FC3")) << contract.out << contract.err;
 }
@@ -96,8 +95,8 @@ TEST(S7Protected, FindingNamesBlockAndNetwork) {
   for (mc7::StoredBlock& block : part.blocks) {
     if (block.key == step7::BlockKey{step7::BlockKind::Fc, 5}) block.isProtected = true;
   }
-  const test::Run run = runWith({"lint", "--isolated", "--select", "ALL", "--format", "json",
-                                 writeFiles(folder, test::writeProject({part}, 1252))});
+  const test::ProgramRun run = test::run({"lint", "--isolated", "--select", "ALL", "--format", "json",
+                                          writeFiles(folder, test::writeProject({part}, 1252))});
   EXPECT_FALSE(run.says("M92.0")) << run.out;
 }
 

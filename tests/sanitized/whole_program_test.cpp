@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <random>
 
-#include "tests/cli/program_run.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof::test {
 namespace {

@@ -3,27 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "frontend/cli/cli.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof {
 namespace {
 
 using Json = nlohmann::json;
-
-struct DownloadRun {
-  int exit;
-  std::string out, err;
-};
-
-DownloadRun runOn(const std::vector<std::string>& arguments) {
-  std::istringstream in;
-  std::ostringstream out, err;
-  const int exit = runProgram(arguments, {in, out, err});
-  return {exit, out.str(), err.str()};
-}
 
 /// Network 2 has an unknown name, 4 a wrong operand, 5 two rungs; each drives an output of its own.
 constexpr const char* text =
@@ -48,15 +34,16 @@ std::vector<std::string> with(std::vector<std::string> arguments, const std::vec
 TEST(AsDownloaded, ProveLeavesOutWhatCheckCallsInvalid) {
   const test::TemporaryFolder folder;
   const std::string file = folder.file("a.awl", text);
-  const Json checked = Json::parse(runOn(with(command("check", file), {"--language", "stl", "--format", "json"})).out);
+  const Json checked =
+      Json::parse(test::run(with(command("check", file), {"--language", "stl", "--format", "json"})).out);
   std::vector<int> invalid;
   for (const Json& network : checked["networks"]) {
     if (!network["valid"].get<bool>()) invalid.push_back(network["network"].get<int>());
   }
   ASSERT_EQ(invalid, (std::vector<int>{2, 4}));
 
-  EXPECT_EQ(runOn(command("prove", file)).exit, 2) << "such a network is an error";
-  const DownloadRun run = runOn(with(command("prove", file), {"--as-downloaded", "--format", "json"}));
+  EXPECT_EQ(test::run(command("prove", file)).exit, 2) << "such a network is an error";
+  const test::ProgramRun run = test::run(with(command("prove", file), {"--as-downloaded", "--format", "json"}));
   EXPECT_EQ(run.exit, 0) << run.out;
   const Json report = Json::parse(run.out);
   for (const Json& property : report["properties"]) EXPECT_EQ(property["verdict"], "PROVED") << property["name"];
@@ -65,7 +52,7 @@ TEST(AsDownloaded, ProveLeavesOutWhatCheckCallsInvalid) {
   EXPECT_NE(leftOut[0].get<std::string>().find("MAIN, network 2 ("), std::string::npos);
   EXPECT_NE(leftOut[0].get<std::string>().find("Feeder_Full"), std::string::npos);
   EXPECT_NE(leftOut[1].get<std::string>().find("MAIN, network 4 ("), std::string::npos);
-  EXPECT_NE(runOn(with(command("prove", file), {"--as-downloaded"})).out.find("left out: MAIN, network 2"),
+  EXPECT_NE(test::run(with(command("prove", file), {"--as-downloaded"})).out.find("left out: MAIN, network 2"),
             std::string::npos);
 }
 
@@ -75,8 +62,8 @@ TEST(AsDownloaded, SimRunsTheRest) {
   const std::string stimulus = folder.file("a.csv", "scan,I0.0,I0.2\n1,1,1\n");
   const std::vector<std::string> scan{"--stimulus", stimulus,         "--scans", "1",
                                       "--signals",  "Q0.0,Q0.1,Q0.2", "--trace", "-"};
-  EXPECT_EQ(runOn(with(command("sim", file), scan)).exit, 2);
-  const DownloadRun run = runOn(with(with(command("sim", file), scan), {"--as-downloaded"}));
+  EXPECT_EQ(test::run(with(command("sim", file), scan)).exit, 2);
+  const test::ProgramRun run = test::run(with(with(command("sim", file), scan), {"--as-downloaded"}));
   EXPECT_EQ(run.exit, 0) << run.err;
   EXPECT_NE(run.out.find("1,0,1"), std::string::npos) << run.out;
   EXPECT_NE((run.out + run.err).find("MAIN, network 2"), std::string::npos) << run.err;
@@ -87,24 +74,25 @@ TEST(AsDownloaded, SimRunsTheRest) {
 TEST(AsDownloaded, OtherErrorsStayErrors) {
   const test::TemporaryFolder folder;
   const std::string damaged = folder.file("b.awl", std::string(text) + "SUBROUTINE_BLOCK\nBEGIN\nNetwork 1\nLD I0.0\n");
-  EXPECT_EQ(runOn(with(command("prove", damaged), {"--as-downloaded"})).exit, 2);
+  EXPECT_EQ(test::run(with(command("prove", damaged), {"--as-downloaded"})).exit, 2);
   // A label that goes with its network takes the jump's meaning away: the rest is refused as it stands.
   const std::string jump = folder.file(
       "c.awl",
       "ORGANIZATION_BLOCK MAIN:OB1\n//@ prove p: never Q0.0\nBEGIN\nNetwork 1\nLD I0.0\nJMP 1\nNetwork 2\nLBL 1\nLD "
       "Nobody\n= Q0.0\nEND_ORGANIZATION_BLOCK\n");
-  EXPECT_EQ(runOn(with(command("prove", jump), {"--as-downloaded"})).exit, 2);
+  EXPECT_EQ(test::run(with(command("prove", jump), {"--as-downloaded"})).exit, 2);
 }
 
 TEST(AsDownloaded, OtherCommandsTakeItToo) {
   const test::TemporaryFolder folder;
   const std::string file = folder.file("a.awl", text);
-  EXPECT_EQ(runOn(with(command("export", file), {"--format", "btor2"})).exit, 2);
-  const DownloadRun exported = runOn(with(command("export", file), {"--format", "btor2", "--as-downloaded"}));
+  EXPECT_EQ(test::run(with(command("export", file), {"--format", "btor2"})).exit, 2);
+  const test::ProgramRun exported = test::run(with(command("export", file), {"--format", "btor2", "--as-downloaded"}));
   EXPECT_EQ(exported.exit, 0);
   EXPECT_NE(exported.out.find("left out: MAIN, network 2"), std::string::npos);
-  EXPECT_EQ(runOn(with(command("equiv", file), {file})).exit, 2);
-  const DownloadRun compared = runOn(with(command("equiv", file), {file, "--as-downloaded", "--format", "json"}));
+  EXPECT_EQ(test::run(with(command("equiv", file), {file})).exit, 2);
+  const test::ProgramRun compared =
+      test::run(with(command("equiv", file), {file, "--as-downloaded", "--format", "json"}));
   EXPECT_EQ(compared.exit, 0) << compared.out << compared.err;
   EXPECT_EQ(Json::parse(compared.out)["coverage"]["left_out"].size(), 2U);
 }

@@ -3,14 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "frontend/cli/cli.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof::test {
 
@@ -18,21 +15,14 @@ class TestCommand : public testing::Test {
  protected:
   std::string path(const std::string& name) const { return folder_.path(name); }
   std::string write(const std::string& name, const std::string& text) const { return folder_.file(name, text); }
-  std::string content(const std::string& name) const {
-    std::ifstream stream(path(name), std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-  }
+  std::string content(const std::string& name) const { return contentOf(path(name)); }
   int run(std::vector<std::string> arguments) {
-    std::istringstream in;
-    std::ostringstream out, err;
     arguments.insert(arguments.begin(), "test");
     arguments.push_back("--isolated");
-    const int code = runProgram(arguments, {in, out, err});
-    out_ = out.str();
-    err_ = err.str();
-    return code;
+    ProgramRun run = test::run(arguments);
+    out_ = std::move(run.out);
+    err_ = std::move(run.err);
+    return run.exit;
   }
   /// The JSON report of the same.
   nlohmann::json json(std::vector<std::string> arguments, int exit) {

@@ -6,32 +6,21 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 
-#include "frontend/cli/cli.hpp"
 #include "frontend/simulation/stimulus_reader.hpp"
 #include "frontend/simulation/witness_report.hpp"
 #include "tests/engine/rig.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Ended {
-  int code;
-  std::string out, err;
-};
-
-Ended runCommand(std::vector<std::string> arguments) {
-  std::istringstream in;
-  std::ostringstream out, err;
+test::ProgramRun runCommand(std::vector<std::string> arguments) {
   arguments.push_back("--isolated");
-  const int code = runProgram(arguments, {in, out, err});
-  return {code, out.str(), err.str()};
+  return test::run(arguments);
 }
 
 struct Case {
@@ -72,13 +61,13 @@ TEST(GivenColumns, EveryWitnessIsRepeatedByThePublicCommand) {
     const std::string program = folder.file(std::string(c.name) + ".awl", c.text);
     std::vector<std::string> proof = {"prove", program, "--traces", folder.path(c.name)};
     if (std::string(c.name) == "analog") proof.insert(proof.end(), {"--choice", "analog-sampling=each-read"});
-    const Ended proved = runCommand(proof);
-    ASSERT_EQ(proved.code, 1) << proved.out << proved.err;
+    const test::ProgramRun proved = runCommand(proof);
+    ASSERT_EQ(proved.exit, 1) << proved.out << proved.err;
     const std::string witness = (fs::path(folder.path(c.name)) / "p.csv").string();
     std::vector<std::string> repeat = {"sim", program, "--stimulus", witness, "--expect", witness};
     if (std::string(c.name) == "analog") repeat.insert(repeat.end(), {"--choice", "analog-sampling=each-read"});
-    const Ended simulated = runCommand(repeat);
-    EXPECT_EQ(simulated.code, 0) << simulated.out << simulated.err;
+    const test::ProgramRun simulated = runCommand(repeat);
+    EXPECT_EQ(simulated.exit, 0) << simulated.out << simulated.err;
     EXPECT_EQ(simulated.err, "");
     ++repeated;
   }
@@ -115,11 +104,13 @@ TEST(GivenColumns, WitnessesOfAnS7300AreRepeated) {
         folder.file(std::string(c.name) + ".awl", std::string("//@ ") + c.properties + "\nORGANIZATION_BLOCK OB 1\n" +
                                                       c.declarations + "BEGIN\nNETWORK\n" + c.statements +
                                                       "END_ORGANIZATION_BLOCK\n");
-    const Ended proved = runCommand({"prove", program, "--dialect", "s7-300", "--traces", folder.path(c.name)});
-    ASSERT_EQ(proved.code, 1) << proved.out << proved.err;
+    const test::ProgramRun proved =
+        runCommand({"prove", program, "--dialect", "s7-300", "--traces", folder.path(c.name)});
+    ASSERT_EQ(proved.exit, 1) << proved.out << proved.err;
     const std::string witness = (fs::path(folder.path(c.name)) / "p.csv").string();
-    const Ended run = runCommand({"sim", program, "--dialect", "s7-300", "--stimulus", witness, "--expect", witness});
-    EXPECT_EQ(run.code, 0) << run.out << run.err;
+    const test::ProgramRun run =
+        runCommand({"sim", program, "--dialect", "s7-300", "--stimulus", witness, "--expect", witness});
+    EXPECT_EQ(run.exit, 0) << run.out << run.err;
     EXPECT_EQ(run.err, "");
   }
 }
@@ -132,10 +123,10 @@ TEST(GivenColumns, VariablesMayBeCalledLikeColumns) {
                   "//@ prove p: not q\nPROGRAM main\nVAR_INPUT Start, Event, Given, Device, Scan_ms : BOOL; "
                   "END_VAR\nVAR q : BOOL; END_VAR\nq := Start AND NOT Event AND Given AND Device AND "
                   "Scan_ms;\nEND_PROGRAM\n");
-  ASSERT_EQ(runCommand({"prove", program, "--traces", folder.path("names")}).code, 1);
+  ASSERT_EQ(runCommand({"prove", program, "--traces", folder.path("names")}).exit, 1);
   const std::string witness = (fs::path(folder.path("names")) / "p.csv").string();
-  const Ended run = runCommand({"sim", program, "--stimulus", witness, "--expect", witness});
-  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  const test::ProgramRun run = runCommand({"sim", program, "--stimulus", witness, "--expect", witness});
+  EXPECT_EQ(run.exit, 0) << run.out << run.err;
 }
 
 /// Programs of the corpus with a property, in order of their names.
@@ -144,10 +135,7 @@ std::vector<std::string> corpusPrograms() {
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(RUNGPROOF_SOURCE_DIR) / "corpus")) {
     const fs::path extension = entry.path().extension();
     if (extension != ".awl" && extension != ".st" && extension != ".xml") continue;
-    std::ifstream stream(entry.path(), std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    if (text.str().find("//@") != std::string::npos) programs.push_back(entry.path().string());
+    if (test::contentOf(entry.path()).find("//@") != std::string::npos) programs.push_back(entry.path().string());
   }
   std::ranges::sort(programs);
   return programs;
@@ -166,15 +154,15 @@ TEST(GivenColumns, WitnessesOfTheCorpusAreRepeated) {
     const std::string traces = folder.path(std::to_string(i));
     std::vector<std::string> proof = {"prove", programs[i], "--timeout", "2s", "--traces", traces};
     if (isLong) proof.emplace_back("--builtin");
-    const Ended proved = runCommand(proof);
-    if (!fs::exists(traces) || proved.code == 2) continue;  // 2: a part is refused, and sim runs no rest
+    const test::ProgramRun proved = runCommand(proof);
+    if (!fs::exists(traces) || proved.exit == 2) continue;  // 2: a part is refused, and sim runs no rest
     for (const auto& entry : fs::directory_iterator(traces)) {
       if (entry.path().extension() != ".csv") continue;
       const std::string witness = entry.path().string();
-      const Ended run = runCommand({"sim", programs[i], "--stimulus", witness, "--expect", witness});
+      const test::ProgramRun run = runCommand({"sim", programs[i], "--stimulus", witness, "--expect", witness});
       const bool endsWithError = isLong && run.out.find("error[RUN002]") != std::string::npos &&
                                  run.out.find("first difference") == std::string::npos;
-      EXPECT_TRUE(run.code == 0 || endsWithError) << programs[i] << ' ' << witness << '\n' << run.out << run.err;
+      EXPECT_TRUE(run.exit == 0 || endsWithError) << programs[i] << ' ' << witness << '\n' << run.out << run.err;
       EXPECT_EQ(run.err.find("did not ask for"), std::string::npos) << programs[i] << ' ' << witness << run.err;
       ++repeated;
     }
@@ -189,11 +177,12 @@ TEST(GivenColumns, BytesWithoutAddressAreGivenByTheirNumber) {
   const std::string witness =
       folder.file("s.csv", "scan,given,start,I0.0\n1,set.I[32]=5,,1\n2,set.I[0]=0 set.VB3=4,,\n");
   const std::string expected = folder.file("e.csv", "scan,Q0.0,VB3\n1,1,0\n2,0,4\n");
-  const Ended run = runCommand({"sim", program, "--cpu", "ST60", "--stimulus", witness, "--expect", expected});
-  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  const test::ProgramRun run =
+      runCommand({"sim", program, "--cpu", "ST60", "--stimulus", witness, "--expect", expected});
+  EXPECT_EQ(run.exit, 0) << run.out << run.err;
   for (const char* wrong : {"set.I[32]=256", "set.II[3]=1", "set.I[x]=1"}) {
     const std::string refused = folder.file("w.csv", std::string("scan,given,start\n1,") + wrong + ",\n");
-    EXPECT_EQ(runCommand({"sim", program, "--stimulus", refused}).code, 2) << wrong;
+    EXPECT_EQ(runCommand({"sim", program, "--stimulus", refused}).exit, 2) << wrong;
   }
 }
 
@@ -243,9 +232,9 @@ TEST(GivenColumns, WhatIsNotKnownIsAnError) {
        {"scan,given,start\n1,imediate[0]@1=1,\n", "scan,given,start\n1,immediate[0]@99=1,\n",
         "scan,given,start\n1,tick=1,\n", "scan,start\n1,AC[0]=1\n", "scan,given,start\n1,,ACX[0]=1\n",
         "scan,given,start\n1,,\n2,,AC[0]=1\n", "scan,gven\n1,x\n"}) {
-    EXPECT_EQ(runCommand({"sim", program, "--stimulus", folder.file("s.csv", text)}).code, 2) << text;
+    EXPECT_EQ(runCommand({"sim", program, "--stimulus", folder.file("s.csv", text)}).exit, 2) << text;
   }
-  const Ended unasked =
+  const test::ProgramRun unasked =
       runCommand({"sim", program, "--stimulus", folder.file("s.csv", "scan,given,start\n1,clock[0]@1=1,\n")});
   EXPECT_NE(unasked.err.find("did not ask for 1 values"), std::string::npos) << unasked.err;
 }
@@ -256,11 +245,11 @@ TEST(GivenColumns, HexadecimalCellsOfAREALAreItsBits) {
   const std::string program = folder.file("r.awl", "LDR= VD0, 0.5\n= Q0.0\nLD SM0.0\nMOVR VD0, VD8\n");
   const std::string expected = folder.file("e.csv", "scan,Q0.0,VD8\n1,1,16#3F000000\n");
   const std::string stimulus = folder.file("s.csv", "scan,VD0\n1,16#3F000000\n");
-  EXPECT_EQ(runCommand({"sim", program, "--stimulus", stimulus, "--expect", expected}).code, 0);
-  EXPECT_EQ(runCommand({"sim", program, "--set", "VD0=16#3F000000", "--expect", expected}).code, 0);
-  EXPECT_EQ(runCommand({"sim", program, "--set", "VD0=0.5", "--expect", expected}).code, 0);
+  EXPECT_EQ(runCommand({"sim", program, "--stimulus", stimulus, "--expect", expected}).exit, 0);
+  EXPECT_EQ(runCommand({"sim", program, "--set", "VD0=16#3F000000", "--expect", expected}).exit, 0);
+  EXPECT_EQ(runCommand({"sim", program, "--set", "VD0=0.5", "--expect", expected}).exit, 0);
   const std::string wrong = folder.file("w.csv", "scan,VD8\n1,16#3F800000\n");
-  EXPECT_EQ(runCommand({"sim", program, "--stimulus", stimulus, "--expect", wrong}).code, 1);
+  EXPECT_EQ(runCommand({"sim", program, "--stimulus", stimulus, "--expect", wrong}).exit, 1);
 }
 
 }  // namespace

@@ -2,12 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "frontend/cli/cli.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof {
 namespace {
@@ -25,20 +24,13 @@ class SimCommand : public testing::Test {
 
   std::string path(const std::string& name) const { return folder_.path(name); }
   void write(const std::string& name, const std::string& text) const { folder_.file(name, text); }
-  std::string content(const std::string& name) const {
-    std::ifstream stream(path(name), std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-  }
+  std::string content(const std::string& name) const { return test::contentOf(path(name)); }
   int run(std::vector<std::string> arguments) {
-    std::istringstream in;
-    std::ostringstream out, err;
     arguments.push_back("--isolated");
-    const int code = runProgram(arguments, {in, out, err});
-    out_ = out.str();
-    err_ = err.str();
-    return code;
+    test::ProgramRun run = test::run(arguments);
+    out_ = std::move(run.out);
+    err_ = std::move(run.err);
+    return run.exit;
   }
 
   test::TemporaryFolder folder_;
