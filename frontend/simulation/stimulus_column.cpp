@@ -231,6 +231,8 @@ bool isInputColumn(const Operand& operand) {
   return operand.area == Area::I || operand.area == Area::AI || operand.area == Area::PI;
 }
 
+bool isOutputColumn(const Operand& operand) { return operand.area == Area::Q || operand.area == Area::AQ; }
+
 std::optional<StimulusColumn> stimulusColumn(const Program& program, const std::string& name, bool isRecorded,
                                              Failure& failure) {
   if (auto library = libraryColumn(program, name)) return library;
@@ -240,8 +242,7 @@ std::optional<StimulusColumn> stimulusColumn(const Program& program, const std::
   if (!signal) return std::nullopt;
   StimulusColumn column;
   column.signal = *signal;
-  const Area area = signal->operand.area;
-  if (!isRecorded && (area == Area::Q || area == Area::AQ)) {
+  if (!isRecorded && isOutputColumn(signal->operand)) {
     failure = {fmt::format("{} is an output: the program drives it, a stimulus does not", name),
                {},
                "remove the column, or give the file to --expect"};

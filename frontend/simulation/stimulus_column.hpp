@@ -22,6 +22,9 @@ TraceSignal signalWithoutProgram(std::string_view name, std::span<const Symbol> 
 /// Whether the operand is an input: its column sets it also in a stimulus that is whole.
 bool isInputColumn(const Operand& operand);
 
+/// Whether the operand is an output, which the program drives and no stimulus may.
+bool isOutputColumn(const Operand& operand);
+
 /// The column of a stimulus with that heading. In a recorded trace, what the program computes is passed over.
 std::optional<StimulusColumn> stimulusColumn(const Program& program, const std::string& name, bool isRecorded,
                                              Failure& failure);

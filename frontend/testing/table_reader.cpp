@@ -90,7 +90,9 @@ class TestTableReader {
       failure = {fmt::format("{} cannot be set by a test table", name), {}, "give characters in a stimulus of 'sim'"};
     }
     if (!column) {
-      if (failure.help == "remove the column, or give the file to --expect")
+      Failure unnamed;
+      const std::optional<TraceSignal> signal = signalNamed(program_, name, unnamed);
+      if (signal && isOutputColumn(signal->operand))
         failure = {fmt::format("{} is an output: the program drives it, a test does not", name),
                    {},
                    fmt::format("write 'expect {}' to compare it", name)};
