@@ -7,6 +7,7 @@
 #include "engine/cell_value.hpp"
 #include "engine/device_end.hpp"
 #include "engine/simulator_hooks.hpp"
+#include "engine/splitmix.hpp"
 #include "ir/s7200/error_codes.hpp"
 #include "ir/s7200/special_memory.hpp"
 
@@ -218,11 +219,8 @@ void Simulator::unforce(const Operand& operand) { forced_.remove(operand); }
 std::uint64_t Simulator::unknown(int width) {
   if (options_.choices.is(Choice::UnknownBits, "zero")) return 0;
   if (options_.choices.is(Choice::UnknownBits, "one")) return Concrete::mask(width);
-  random_ += 0x9E3779B97F4A7C15ULL;  // splitmix64
-  std::uint64_t mixed = random_;
-  mixed = (mixed ^ mixed >> 30) * 0xBF58476D1CE4E5B9ULL;
-  mixed = (mixed ^ mixed >> 27) * 0x94D049BB133111EBULL;
-  return (mixed ^ mixed >> 31) & Concrete::mask(width);
+  random_ += splitmixStep;
+  return splitmix(random_) & Concrete::mask(width);
 }
 
 std::uint64_t Simulator::external(const ExternalSite& site, int width) {

@@ -21,6 +21,7 @@
 #include "frontend/simulation/run_limits.hpp"
 #include "frontend/simulation/run_report.hpp"
 #include "frontend/simulation/scan_drawings.hpp"
+#include "frontend/simulation/scan_lengths.hpp"
 #include "frontend/simulation/stimulus_column.hpp"
 #include "frontend/simulation/stimulus_reader.hpp"
 #include "frontend/simulation/trace_file.hpp"
@@ -277,27 +278,6 @@ class Progress {
   bool isShown_ = false;
 };
 
-/// Lengths of scans for which the stimulus says nothing: one value, or anything in a range, drawn with --seed.
-class ScanLengths {
- public:
-  ScanLengths(const ScanTime& range, std::uint64_t seed)
-      : low_(count(range.low)), high_(count(range.high)), state_(seed * 2654435769U + 1) {}
-  std::uint32_t next() {
-    if (low_ == high_) return low_;
-    state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
-    const std::uint32_t unit = low_ % 1000 == 0 && high_ % 1000 == 0 ? 1000 : 1;
-    return low_ + static_cast<std::uint32_t>((state_ >> 33) % ((high_ - low_) / unit + 1)) * unit;
-  }
-
- private:
-  static std::uint32_t count(Duration duration) {
-    return static_cast<std::uint32_t>(std::min<std::int64_t>(duration.count(), 60000000));
-  }
-  std::uint32_t low_;
-  std::uint32_t high_;
-  std::uint64_t state_;
-};
-
 /// After each scan; false: the run ends here.
 using AfterScan = std::function<bool()>;
 
@@ -305,7 +285,7 @@ using AfterScan = std::function<bool()>;
 std::optional<Failure> play(Simulator& simulator, GivenValues* given, const Job& job, std::uint64_t seed,
                             const Context& context, const AfterScan& afterScan) {
   StimulusPlayer player(simulator, job.stimulus, given);
-  ScanLengths lengths(job.scanTime, seed);
+  const ScanLength length = scanLengthsOf(job.scanTime, seed);
   Progress progress(context);
   std::optional<Failure> failure;
   while (simulator.scanCount() < job.scans || simulator.timeUs() < job.durationUs) {
@@ -313,7 +293,7 @@ std::optional<Failure> play(Simulator& simulator, GivenValues* given, const Job&
         refusedRun(simulator.scanCount() + 1, job.keepsTrace && !job.isSparse ? job.signals.size() : 0, job.memory);
     if (failure) break;
     ScanRequest request = player.next();
-    if (request.lengthUs == 0) request.lengthUs = lengths.next();
+    if (request.lengthUs == 0) request.lengthUs = length(simulator.scanCount() + 1);
     simulator.scan(request);
     if (!afterScan()) break;
     progress.show(simulator.scanCount(), simulator.timeUs());
