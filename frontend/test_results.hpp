@@ -2,11 +2,13 @@
 // report; the reporters of frontend/report print it. Covered by tests/tables.
 #pragma once
 
-#include <array>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "engine/coverage/coverage_goals.hpp"
 #include "frontend/report.hpp"
 
 namespace rungproof {
@@ -40,6 +42,7 @@ struct MissingGoal {
   std::string reason;  ///< what was not seen, the proof, or why it is open
   enum class State : std::uint8_t { Uncovered, Unreachable, Open } state = State::Uncovered;
   std::string certificate{};  ///< Unreachable: file or empty
+  std::vector<CoverageGoal> open{};
 };
 
 struct MeasureResult {
@@ -48,15 +51,15 @@ struct MeasureResult {
 };
 
 struct CoverageResult {
-  MeasureResult networks, contacts, transitions, mcdc;
+  std::map<Measure, MeasureResult> measures{
+      {Measure::Networks, {}}, {Measure::Contacts, {}}, {Measure::Transitions, {}}, {Measure::Mcdc, {}}};
   std::size_t uniqueCause = 0, masking = 0;  ///< of the pairs covered
 };
 
 struct TestReport {
   std::vector<TestResult> tests;
   std::optional<CoverageResult> coverage{};
-  /// Generated tests: measures whose open goals count as undecided, in the order of CoverageResult.
-  std::array<bool, 4> asked{};
+  std::set<Measure> asked{};           ///< generated tests: measures whose open goals count as undecided
   std::vector<std::string> written{};  ///< files
   std::optional<std::vector<PlantedFault>> kills{};
   std::string drawings{};  ///< networks with the colours of their contacts, for a page

@@ -67,10 +67,10 @@ class GoalEncoder {
 
  private:
   std::vector<std::uint32_t> instructionsOf(const CoverageGoal& goal) const {
-    switch (goal.kind) {
-      case CoverageGoal::Kind::Contact: return {map_.leaves()[goal.index].instruction->id};
-      case CoverageGoal::Kind::Transition: return {map_.transitions()[goal.index].instruction->id};
-      case CoverageGoal::Kind::Condition: return {map_.decisions()[goal.index].instruction->id};
+    switch (goal.measure) {
+      case Measure::Contacts: return {map_.leaves()[goal.index].instruction->id};
+      case Measure::Transitions: return {map_.transitions()[goal.index].instruction->id};
+      case Measure::Mcdc: return {map_.decisions()[goal.index].instruction->id};
       default: break;
     }
     std::vector<std::uint32_t> ids;
@@ -90,8 +90,8 @@ class GoalEncoder {
 
   std::optional<Graph::Bool> shownBy(const CoverageGoal& goal, const Visit& visit) {
     const std::uint32_t id = visit.instruction->id;
-    switch (goal.kind) {
-      case CoverageGoal::Kind::Network: {
+    switch (goal.measure) {
+      case Measure::Networks: {
         if (map_.isUnconditional(id)) return graph_.constant(true);
         std::optional<Graph::Bool> any;
         const std::size_t levels =
@@ -103,12 +103,12 @@ class GoalEncoder {
         }
         return any;
       }
-      case CoverageGoal::Kind::Contact: {
+      case Measure::Contacts: {
         if (visit.bit == noNode) return std::nullopt;
         const Graph::Bool bit{visit.bit};
         return goal.value ? bit : graph_.lnot(bit);
       }
-      case CoverageGoal::Kind::Transition: {
+      case Measure::Transitions: {
         const StepTransition& step = map_.transitions()[goal.index];
         std::optional<Graph::Bool> taken =
             map_.isUnconditional(id) ? std::optional(graph_.constant(true)) : power(visit, 0);
@@ -123,7 +123,7 @@ class GoalEncoder {
     }
   }
 
-  /// The condition is that value, and with the other one the outcome would differ.
+  /// The condition or the outcome is that value, and with the other value of the condition the outcome would differ.
   std::optional<Graph::Bool> decides(const CoverageGoal& goal, const Visit& visit) {
     const Decision& decision = map_.decisions()[goal.index];
     for (const std::uint32_t leaf : decision.leaves) {
@@ -136,13 +136,13 @@ class GoalEncoder {
       });
     };
     const Graph::Bool differs = graph_.lxor(with(true), with(false));
-    const Graph::Bool bit{values_[decision.leaves[goal.condition]]};
-    const Graph::Bool shown = graph_.land(differs, goal.value ? bit : graph_.lnot(bit));
     // As for runs, the outcome must be the power flow: in an inactive step nothing decides.
     const std::optional<Graph::Bool> flow = power(visit, decision.level);
     if (!flow) return std::nullopt;
     const Graph::Bool outcome = map_.trees().evaluate(decision.condition, logic,
                                                       [&](std::uint32_t leaf) { return Graph::Bool{values_[leaf]}; });
+    const Graph::Bool bit = goal.isOutcome ? outcome : Graph::Bool{values_[decision.leaves[goal.condition]]};
+    const Graph::Bool shown = graph_.land(differs, goal.value ? bit : graph_.lnot(bit));
     return graph_.land(shown, graph_.lnot(graph_.lxor(*flow, outcome)));
   }
 
@@ -153,34 +153,6 @@ class GoalEncoder {
 };
 
 }  // namespace
-
-std::vector<CoverageGoal> openGoals(const CoverageRecorder& recorder, const CoverageMeasures& measures) {
-  using Kind = CoverageGoal::Kind;
-  const CoverageMap& map = recorder.map();
-  std::vector<CoverageGoal> goals;
-  for (std::size_t i = 0; measures.networks && i < map.networks().size(); ++i) {
-    if (!recorder.networkReached(i)) goals.push_back({Kind::Network, i});
-  }
-  for (std::size_t i = 0; measures.contacts && i < map.leaves().size(); ++i) {
-    if (map.leaves()[i].kind != LeafKind::Contact) continue;
-    for (const bool value : {false, true}) {
-      if (!recorder.contactSeen(i, value)) goals.push_back({Kind::Contact, i, 0, value});
-    }
-  }
-  for (std::size_t i = 0; measures.transitions && i < map.transitions().size(); ++i) {
-    if (!recorder.transitionTaken(i)) goals.push_back({Kind::Transition, i});
-  }
-  for (std::size_t d = 0; measures.mcdc && d < map.decisions().size(); ++d) {
-    const std::vector<std::uint32_t>& leaves = map.decisions()[d].leaves;
-    for (std::size_t i = 0; i < leaves.size(); ++i) {
-      if (map.leaves()[leaves[i]].kind != LeafKind::Contact || recorder.pair(d, i) != PairState::None) continue;
-      for (const bool value : {false, true}) {
-        if (!recorder.conditionDecided(d, i, value)) goals.push_back({Kind::Condition, d, i, value});
-      }
-    }
-  }
-  return goals;
-}
 
 Property oneChangeAScan(const Operands& bits) {
   Property property;

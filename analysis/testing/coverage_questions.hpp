@@ -7,29 +7,9 @@
 #include <vector>
 
 #include "analysis/proof/prover.hpp"
-#include "engine/coverage/coverage_recorder.hpp"
+#include "engine/coverage/coverage_goals.hpp"
 
 namespace rungproof {
-
-/// Part of a goal that one scan can show.
-struct CoverageGoal {
-  enum class Kind : std::uint8_t {
-    Network,     ///< power flow reaches it
-    Contact,     ///< its own bit is `value`
-    Transition,  ///< it is taken
-    Condition    ///< as `value` it decides the outcome
-  } kind = Kind::Network;
-  std::size_t index = 0;      ///< network, leaf, transition or decision of the map
-  std::size_t condition = 0;  ///< Condition: of its leaves
-  bool value = false;
-  friend auto operator<=>(const CoverageGoal&, const CoverageGoal&) = default;
-};
-
-/// The goals of those measures that the recorder has not seen.
-struct CoverageMeasures {
-  bool networks = true, contacts = true, transitions = true, mcdc = true;
-};
-std::vector<CoverageGoal> openGoals(const CoverageRecorder& recorder, const CoverageMeasures& measures);
 
 struct GoalAnswer {
   Outcome outcome = Outcome::Unknown;

@@ -109,16 +109,23 @@ class Generator {
     ProverOptions options = options_.prover;
     options.total = options_.seconds * proofShare;
     options.timeout = std::min(options.timeout, options.total);
-    result_.answers = askGoals(map_, set_, openGoals(search_.recorder(), options_.measures), options);
-    for (const auto& [goal, answer] : result_.answers) {
-      if (answer.outcome != Outcome::Reachable || !answer.witness) continue;
-      for (const std::uint64_t scans : {6U, 1U}) {
-        if (search_.follow(stepsOf(*answer.witness, true, scans)) ||
-            search_.follow(stepsOf(*answer.witness, false, scans)))
-          break;
+    // Runs may show half of a pair, whose other half is a goal of its own.
+    for (;;) {
+      std::vector<CoverageGoal> goals = openGoals(search_.recorder(), options_.measures);
+      std::erase_if(goals, [&](const CoverageGoal& goal) { return !asked_.insert(goal).second; });
+      if (goals.empty()) break;
+      for (auto& [goal, answer] : askGoals(map_, set_, goals, options)) {
+        if (answer.outcome == Outcome::Reachable && answer.witness) followRun(*answer.witness);
+        result_.answers[goal] = std::move(answer);
       }
     }
     if (!options_.changesTogether) askWithOneChange(options);
+  }
+
+  void followRun(const Witness& witness) {
+    for (const std::uint64_t scans : {6U, 1U}) {
+      if (search_.follow(stepsOf(witness, true, scans)) || search_.follow(stepsOf(witness, false, scans))) return;
+    }
   }
 
   /// A goal that needs two inputs at once is out of reach of tests that change one a step.
@@ -214,7 +221,7 @@ class Generator {
         row.step += (row.step.empty() ? "" : ", ") + stepText(signals_.inputs[input].signal, values[input], value);
         values[input] = value;
       }
-      if (row.step.empty()) row.step = test.rows.empty() ? "power on" : "wait";
+      if (row.step.empty()) row.step = test.rows.empty() ? "power on, all inputs off" : "wait";
       const bool isLong = step.changes.empty() && row.wait.timeUs >= longWaitUs && !test.rows.empty();
       if (isLong) {
         TestRow early = row;
@@ -232,10 +239,9 @@ class Generator {
   }
 
   static std::string stepText(const TraceSignal& signal, double from, double to) {
-    const std::string name =
-        signal.symbol.empty() || signal.symbol == signal.name ? signal.name : signal.name + " " + signal.symbol;
-    if (signal.type != SignalType::Bool) return fmt::format("set {} to {}", name, numberText(to, signal.type));
-    return (to > from ? "switch on " : "switch off ") + name;
+    if (signal.type != SignalType::Bool)
+      return fmt::format("set {} to {}", signalText(signal), numberText(to, signal.type));
+    return (to > from ? "switch on " : "switch off ") + signalText(signal);
   }
 
   void expectValues(TestCase& test) const {
@@ -373,18 +379,13 @@ class Generator {
       playWith(length, alternating(-mostSkew));
       playWith(length, drawn());
     }
-    for (std::size_t i = 0; i < randomPlays; ++i) {
-      const std::uint64_t salt = random();
-      playWith(
-          [low = options_.lowUs, high = options_.highUs, salt](std::uint64_t scan) {
-            std::uint64_t x = (scan + 1) * 0x9E3779B97F4A7C15ULL ^ salt;
-            x = (x ^ x >> 30) * 0xBF58476D1CE4E5B9ULL;
-            x ^= x >> 31;
-            return static_cast<std::uint32_t>(low + x % (high - low + 1));
-          },
-          drawn());
-    }
+    for (std::size_t i = 0; i < randomPlays; ++i)
+      playWith(drawnScanLengths(options_.lowUs, options_.highUs, 1, random()), drawn());
     return failing;
+  }
+
+  static bool onlyWaits(const TestRow& row) {
+    return row.wait.isTime() && std::ranges::none_of(row.sets, [](const auto& cell) { return cell.has_value(); });
   }
 
   /// A look before the end of a wait that does not hold everywhere is given up. Whether there was one.
@@ -393,8 +394,7 @@ class Generator {
     TestWait before{1, 0};  // of looks that were given up
     for (std::size_t i = 0; i < test.rows.size(); ++i) {
       TestRow& row = test.rows[i];
-      const bool isEarly = i + 1 < test.rows.size() && row.step == "wait" && test.rows[i + 1].step == "wait" &&
-                           row.wait.isTime() && test.rows[i + 1].wait.isTime();
+      const bool isEarly = i + 1 < test.rows.size() && onlyWaits(row) && onlyWaits(test.rows[i + 1]);
       const bool fails = !failing[i].empty() || (i + 1 < failing.size() && !failing[i + 1].empty());
       if (isEarly && fails && !before.isTime()) {
         before = row.wait;
@@ -454,6 +454,7 @@ class Generator {
   const TestSignals signals_;
   BenchSearch search_;
   CoverageRecorder seen_;  ///< by the tests written
+  std::set<CoverageGoal> asked_;
   std::size_t lastNews_ = 0;
   bool isAllSeen_ = false;
   GeneratedTests result_;

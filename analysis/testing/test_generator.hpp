@@ -21,7 +21,7 @@ struct GeneratorOptions {
   SimulatorOptions engine;
   std::uint32_t lowUs = 1000, highUs = 100000;  ///< scans of which every expected value must hold
   std::uint32_t shownUs = 10000;                ///< scans with which coverage is measured
-  CoverageMeasures measures;
+  std::set<Measure> measures{allMeasures.begin(), allMeasures.end()};
   bool changesTogether = false;  ///< a step may change several inputs
   double seconds = 20;           ///< for searching and proving
   std::uint64_t seed = 1;

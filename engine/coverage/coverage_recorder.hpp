@@ -41,6 +41,11 @@ class CoverageRecorder final : public InstructionObserver {
     const Shown& shown = decisions_[decision].shown[condition];
     return shown.decides[value ? 1 : 0][0] || shown.decides[value ? 1 : 0][1];
   }
+  /// Whether it decided the outcome to be that, as whatever value.
+  bool outcomeDecided(std::size_t decision, std::size_t condition, bool outcome) const {
+    const Shown& shown = decisions_[decision].shown[condition];
+    return shown.decides[0][outcome ? 1 : 0] || shown.decides[1][outcome ? 1 : 0];
+  }
   /// What a leaf was in the last scan; nothing: it was not executed in it.
   std::optional<bool> lastValue(std::size_t leaf) const {
     return stamps_[leaf] == scan_ ? std::optional(values_[leaf] != 0) : std::nullopt;

@@ -1,29 +1,9 @@
 // The times of all steps are laid out first; then the scans are made one after the other.
 #include "engine/testing/test_player.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace rungproof {
-
-std::string waitText(const TestWait& wait) {
-  if (!wait.isTime()) return fmt::format("{} scan{}", wait.scans, wait.scans == 1 ? "" : "s");
-  if (wait.timeUs % 1000 == 0) return fmt::format("{}ms", wait.timeUs / 1000);
-  return fmt::format("{}ms", static_cast<double>(wait.timeUs) / 1000);
-}
-
-std::string rangeText(const TestRange& range, SignalType type) {
-  const std::string low = numberText(range.low, type);
-  return range.low == range.high ? low : low + ".." + numberText(range.high, type);
-}
-
-bool TestTable::expectsAnything() const {
-  const auto hasValue = [](const TestRow& row) {
-    return std::ranges::any_of(row.expects, [](const auto& cell) { return cell.has_value(); });
-  };
-  return std::ranges::any_of(tests, [&](const TestCase& test) { return std::ranges::any_of(test.rows, hasValue); });
-}
 
 std::vector<StepTimes> stepTimesOf(const TestCase& test, const ScanLength& length, const std::vector<int>& skews) {
   std::vector<std::uint64_t> starts{1};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/simulator.hpp"
+#include "engine/testing/scan_length.hpp"
 #include "engine/testing/test_table.hpp"
 
 namespace rungproof {
@@ -16,9 +17,6 @@ struct StepTimes {
   std::uint64_t acts = 1;      ///< in front of this scan
   std::uint64_t compares = 1;  ///< at the end of this scan
 };
-
-/// Length of a scan in us, by its number from 1.
-using ScanLength = std::function<std::uint32_t(std::uint64_t scan)>;
 
 /// `skews`: by step, scans by which its inputs act late (or early, below 0); empty: none.
 std::vector<StepTimes> stepTimesOf(const TestCase& test, const ScanLength& length, const std::vector<int>& skews = {});

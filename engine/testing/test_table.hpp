@@ -43,6 +43,9 @@ struct TestCase {
   std::vector<TestRow> rows;
 };
 
+/// As steps and sheets name it: "Start (I0.0)", or its name where the program has none for it.
+std::string signalText(const TraceSignal& signal);
+
 struct TestTable {
   std::string file;
   std::vector<StimulusColumn> sets;

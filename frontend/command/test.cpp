@@ -11,6 +11,7 @@
 #include "frontend/input/proof_input.hpp"
 #include "frontend/logger/trace_import.hpp"
 #include "frontend/simulation/run_report.hpp"
+#include "frontend/simulation/scan_lengths.hpp"
 #include "frontend/simulation/stimulus_reader.hpp"
 #include "frontend/simulation/trace_file.hpp"
 #include "frontend/testing/coverage_page.hpp"
@@ -175,9 +176,8 @@ class TestRun {
     using namespace std::chrono_literals;
     GenerateRequest request;
     request.directory = arguments_.generate;
-    const bool isAll = arguments_.goal == "all";
-    request.measures = {isAll || arguments_.goal == "networks", isAll || arguments_.goal == "contacts",
-                        isAll || arguments_.goal == "transitions", isAll || arguments_.goal == "mcdc"};
+    std::erase_if(request.measures,
+                  [&](Measure measure) { return arguments_.goal != "all" && arguments_.goal != measureWord(measure); });
     request.changesTogether = arguments_.together;
     request.engine = options.engine;
     request.scanTime = context_.settings.scanTime().value_or(ScanTime{1ms, 100ms});

@@ -10,6 +10,7 @@
 #include "analysis/witness/follower.hpp"
 #include "analysis/witness/state_pool.hpp"
 #include "frontend/explain/certificate_head.hpp"
+#include "frontend/simulation/scan_lengths.hpp"
 #include "frontend/testing/table_reader.hpp"
 #include "frontend/testing/table_run.hpp"
 #include "frontend/testing/test_output.hpp"
@@ -22,92 +23,47 @@ struct FileToWrite {
   std::string name, form, text;
 };
 
-/// What the prover said of the goals behind a missing entry.
-class GoalStates {
- public:
-  GoalStates(const CoverageRecorder& recorder, const std::map<CoverageGoal, GoalAnswer>& answers,
-             std::vector<FileToWrite>& proofs)
-      : recorder_(recorder), answers_(answers), proofs_(proofs) {}
-
-  void settle(CoverageResult& result) {
-    using Kind = CoverageGoal::Kind;
-    const CoverageMap& map = recorder_.map();
-    std::size_t entry = 0;
-    for (std::size_t i = 0; i < map.networks().size(); ++i) {
-      if (!recorder_.networkReached(i)) settle(result.networks, entry++, {{Kind::Network, i}});
-    }
-    entry = 0;
-    for (std::size_t i = 0; i < map.leaves().size(); ++i) {
-      if (map.leaves()[i].kind != LeafKind::Contact) continue;
-      std::vector<CoverageGoal> goals;
-      for (const bool value : {false, true}) {
-        if (!recorder_.contactSeen(i, value)) goals.push_back({Kind::Contact, i, 0, value});
-      }
-      if (!goals.empty()) settle(result.contacts, entry++, goals);
-    }
-    entry = 0;
-    for (std::size_t i = 0; i < map.transitions().size(); ++i) {
-      if (!recorder_.transitionTaken(i)) settle(result.transitions, entry++, {{Kind::Transition, i}});
-    }
-    entry = 0;
-    for (std::size_t d = 0; d < map.decisions().size(); ++d) {
-      const std::vector<std::uint32_t>& leaves = map.decisions()[d].leaves;
-      for (std::size_t i = 0; i < leaves.size(); ++i) {
-        if (map.leaves()[leaves[i]].kind != LeafKind::Contact || recorder_.pair(d, i) != PairState::None) continue;
-        std::vector<CoverageGoal> goals;
-        for (const bool value : {false, true}) {
-          if (!recorder_.conditionDecided(d, i, value)) goals.push_back({Kind::Condition, d, i, value});
-        }
-        settle(result.mcdc, entry++, goals);
-      }
-    }
+std::string_view whatNeverComes(const CoverageGoal& goal) {
+  switch (goal.measure) {
+    case Measure::Networks: return "no run lets power flow to a coil or box";
+    case Measure::Contacts: return goal.value ? "its bit is never 1" : "its bit is never 0";
+    case Measure::Transitions: return "it is never taken";
+    case Measure::Mcdc: break;
   }
+  if (goal.isOutcome) return goal.value ? "it never decides an outcome of 1" : "it never decides an outcome of 0";
+  return goal.value ? "as 1 it never decides the outcome" : "as 0 it never decides the outcome";
+}
 
- private:
-  static std::string_view whatOf(const CoverageGoal& goal) {
-    switch (goal.kind) {
-      case CoverageGoal::Kind::Network: return "no run lets power flow to a coil or box";
-      case CoverageGoal::Kind::Contact: return goal.value ? "its bit is never 1" : "its bit is never 0";
-      case CoverageGoal::Kind::Transition: return "it is never taken";
-      default: return goal.value ? "as 1 it never decides the outcome" : "as 0 it never decides the outcome";
+/// What the prover said of what is missing. One goal that no run reaches is enough.
+void settle(MeasureResult& measure, MissingGoal& missing, const std::map<CoverageGoal, GoalAnswer>& answers,
+            std::vector<FileToWrite>& proofs) {
+  missing.state = MissingGoal::State::Open;
+  for (const CoverageGoal& goal : missing.open) {
+    const auto answer = answers.find(goal);
+    if (answer == answers.end()) {
+      missing.reason += "; not proved either";
+      continue;
     }
-  }
-
-  /// One goal that no run reaches is enough.
-  void settle(MeasureResult& measure, std::size_t entry, const std::vector<CoverageGoal>& goals) {
-    MissingGoal& missing = measure.missing[entry];
-    missing.state = MissingGoal::State::Open;
-    for (const CoverageGoal& goal : goals) {
-      const auto answer = answers_.find(goal);
-      if (answer == answers_.end()) {
-        missing.reason += "; not proved either";
-        continue;
+    const GoalAnswer& found = answer->second;
+    if (found.outcome == Outcome::Unreachable) {
+      missing.state = MissingGoal::State::Unreachable;
+      missing.reason = fmt::format("proved impossible: {}{}{}", whatNeverComes(goal),
+                                   found.restriction.empty() ? "" : ", " + found.restriction,
+                                   found.method.empty() ? "" : " (" + found.method + ")");
+      if (!found.certificate.empty()) {
+        missing.certificate = fmt::format("proofs/goal_{}.smt2", proofs.size() + 1);
+        proofs.push_back({missing.certificate, "smt2", found.certificate});
       }
-      const GoalAnswer& found = answer->second;
-      if (found.outcome == Outcome::Unreachable) {
-        missing.state = MissingGoal::State::Unreachable;
-        missing.reason = fmt::format("proved impossible: {}{}{}", whatOf(goal),
-                                     found.restriction.empty() ? "" : ", " + found.restriction,
-                                     found.method.empty() ? "" : " (" + found.method + ")");
-        if (!found.certificate.empty()) {
-          missing.certificate = fmt::format("proofs/goal_{}.smt2", proofs_.size() + 1);
-          proofs_.push_back({missing.certificate, "smt2", found.certificate});
-        }
-        ++measure.unreachable;
-        --measure.open;
-        return;
-      }
-      if (found.outcome == Outcome::Reachable)
-        missing.reason += "; the prover has a run, which no test at the bench repeats";
-      else
-        missing.reason += fmt::format("; open: {}", verdictText(found.outcome, 0));
+      ++measure.unreachable;
+      --measure.open;
+      return;
     }
+    if (found.outcome == Outcome::Reachable)
+      missing.reason += "; the prover has a run, which no test at the bench repeats";
+    else
+      missing.reason += fmt::format("; open: {}", verdictText(found.outcome, 0));
   }
-
-  const CoverageRecorder& recorder_;
-  const std::map<CoverageGoal, GoalAnswer>& answers_;
-  std::vector<FileToWrite>& proofs_;
-};
+}
 
 /// Whether a run meets what a requirement speaks of: its premise, or a change of what it reads.
 class Exercise {
@@ -221,9 +177,10 @@ bool generateInto(TestReport& report, TestTable& table, const Context& context, 
   CoverageRecorder all(map);
   describeTests(sheet, all, set, request);
   report.coverage = coverageOf(all);
-  GoalStates(all, made.answers, proofs).settle(*report.coverage);
-  report.asked = {request.measures.networks, request.measures.contacts, request.measures.transitions,
-                  request.measures.mcdc};
+  for (auto& [name, measure] : report.coverage->measures) {
+    for (MissingGoal& missing : measure.missing) settle(measure, missing, made.answers, proofs);
+  }
+  report.asked = request.measures;
   sheet.coverage = *report.coverage;
   sheet.basis.push_back(
       fmt::format("Every value to be seen was checked in {} runs: scans of {:g} ms to {:g} ms, equally long and "

@@ -12,7 +12,7 @@ namespace rungproof {
 
 struct GenerateRequest {
   std::string directory;
-  CoverageMeasures measures;
+  std::set<Measure> measures{allMeasures.begin(), allMeasures.end()};
   bool changesTogether = false;
   SimulatorOptions engine;
   ScanTime scanTime{};   ///< for which every expected value must hold

@@ -9,6 +9,7 @@
 #include "engine/instruction_recorder.hpp"
 #include "frontend/picture/network_view.hpp"
 #include "frontend/simulation/comparison.hpp"
+#include "frontend/simulation/scan_lengths.hpp"
 #include "frontend/simulation/witness_drawing.hpp"
 #include "ir/hazard.hpp"
 
@@ -132,25 +133,7 @@ TestResult runTest(const Program& program, const TestTable& table, const TestCas
   return result;
 }
 
-MissingGoal missing(std::string text, std::string reason) { return {std::move(text), std::move(reason)}; }
-
 }  // namespace
-
-ScanLength scanLengthsOf(const ScanTime& range, std::uint64_t seed) {
-  const auto limited = [](Duration duration) {
-    return static_cast<std::uint64_t>(std::min<std::int64_t>(duration.count(), 60'000'000));
-  };
-  const std::uint64_t low = limited(range.low), high = limited(range.high);
-  if (low == high) return [low](std::uint64_t) { return static_cast<std::uint32_t>(low); };
-  const std::uint64_t unit = low % 1000 == 0 && high % 1000 == 0 ? 1000 : 1;
-  return [=](std::uint64_t scan) {
-    std::uint64_t x = seed * 0x9E3779B97F4A7C15ULL + scan;  // splitmix64
-    x = (x ^ x >> 30) * 0xBF58476D1CE4E5B9ULL;
-    x = (x ^ x >> 27) * 0x94D049BB133111EBULL;
-    x ^= x >> 31;
-    return static_cast<std::uint32_t>(low + x % ((high - low) / unit + 1) * unit);
-  };
-}
 
 std::vector<TestResult> runTable(const Program& program, const TestTable& table, const TableRunOptions& options) {
   std::vector<TestResult> results;
@@ -158,63 +141,58 @@ std::vector<TestResult> runTable(const Program& program, const TestTable& table,
   return results;
 }
 
-std::string contactText(const CoverageMap& map, std::uint32_t leaf) {
-  const CoverageLeaf& contact = map.leaves()[leaf];
-  return map.placeText(contact.place) + " " + map.instructionText(*contact.instruction);
-}
+namespace {
 
-std::string conditionText(const CoverageMap& map, std::size_t decision, std::size_t condition) {
-  const Decision& d = map.decisions()[decision];
+std::string goalPlace(const CoverageMap& map, const CoverageGoal& item) {
+  switch (item.measure) {
+    case Measure::Networks: return map.placeText(map.networks()[item.index]);
+    case Measure::Contacts: {
+      const CoverageLeaf& contact = map.leaves()[item.index];
+      return map.placeText(contact.place) + " " + map.instructionText(*contact.instruction);
+    }
+    case Measure::Transitions: {
+      const StepTransition& step = map.transitions()[item.index];
+      return map.placeText(step.place) + " " + step.text;
+    }
+    case Measure::Mcdc: break;
+  }
+  const Decision& d = map.decisions()[item.index];
   return fmt::format("{} {}: {}", map.placeText(d.place), map.instructionText(*d.instruction),
-                     map.instructionText(*map.leaves()[d.leaves[condition]].instruction));
+                     map.instructionText(*map.leaves()[d.leaves[item.condition]].instruction));
 }
 
-std::string transitionText(const CoverageMap& map, std::size_t transition) {
-  const StepTransition& step = map.transitions()[transition];
-  return map.placeText(step.place) + " " + step.text;
+std::string whatIsMissing(const CoverageItem& item) {
+  switch (item.first.measure) {
+    case Measure::Networks: return "no power flow reached a coil or box";
+    case Measure::Transitions: return "it was not taken";
+    case Measure::Contacts:
+      return item.open.size() > 1 ? "it was never executed" : fmt::format("its bit was never {:d}", item.open[0].value);
+    case Measure::Mcdc: break;
+  }
+  if (item.open[0].isOutcome)
+    return fmt::format("as 0 and as 1 it decided the outcome, which was never {:d}", item.open[0].value);
+  return item.open.size() > 1 ? "it never decided the outcome"
+                              : fmt::format("it did not decide the outcome as {:d}", item.open[0].value);
 }
+
+}  // namespace
 
 CoverageResult coverageOf(const CoverageRecorder& recorder) {
-  const CoverageMap& map = recorder.map();
   CoverageResult result;
-  const auto count = [](MeasureResult& measure, bool isCovered, const auto& goal) {
+  for (CoverageItem& item : coverageItems(recorder)) {
+    MeasureResult& measure = result.measures[item.first.measure];
     ++measure.total;
-    if (isCovered) {
+    if (item.isCovered) {
       ++measure.covered;
-      return;
+      if (item.first.measure != Measure::Mcdc) continue;
+      const bool isUnique = recorder.pair(item.first.index, item.first.condition) == PairState::Unique;
+      ++(isUnique ? result.uniqueCause : result.masking);
+      continue;
     }
     ++measure.open;
-    measure.missing.push_back(goal());
-  };
-  for (std::size_t i = 0; i < map.networks().size(); ++i)
-    count(result.networks, recorder.networkReached(i),
-          [&] { return missing(map.placeText(map.networks()[i]), "no power flow reached a coil or box"); });
-  for (std::uint32_t leaf = 0; leaf < map.leaves().size(); ++leaf) {
-    if (map.leaves()[leaf].kind != LeafKind::Contact) continue;
-    const bool one = recorder.contactSeen(leaf, true), zero = recorder.contactSeen(leaf, false);
-    count(result.contacts, one && zero, [&] {
-      return missing(contactText(map, leaf), one    ? "its bit was never 0"
-                                             : zero ? "its bit was never 1"
-                                                    : "it was never executed");
-    });
-  }
-  for (std::size_t i = 0; i < map.transitions().size(); ++i)
-    count(result.transitions, recorder.transitionTaken(i),
-          [&] { return missing(transitionText(map, i), "it was not taken"); });
-  for (std::size_t d = 0; d < map.decisions().size(); ++d) {
-    const Decision& decision = map.decisions()[d];
-    for (std::size_t i = 0; i < decision.leaves.size(); ++i) {
-      if (map.leaves()[decision.leaves[i]].kind != LeafKind::Contact) continue;
-      const PairState pair = recorder.pair(d, i);
-      if (pair == PairState::Unique) ++result.uniqueCause;
-      if (pair == PairState::Masking) ++result.masking;
-      count(result.mcdc, pair != PairState::None, [&] {
-        const bool one = recorder.conditionDecided(d, i, true), zero = recorder.conditionDecided(d, i, false);
-        return missing(conditionText(map, d, i), one    ? "it did not decide the outcome as 0"
-                                                 : zero ? "it did not decide the outcome as 1"
-                                                        : "it never decided the outcome");
-      });
-    }
+    MissingGoal missing{goalPlace(recorder.map(), item.first), whatIsMissing(item)};
+    missing.open = std::move(item.open);
+    measure.missing.push_back(std::move(missing));
   }
   return result;
 }

@@ -12,9 +12,6 @@
 
 namespace rungproof {
 
-/// Lengths of scans: one value, or anything in the range, drawn with the seed for each scan.
-ScanLength scanLengthsOf(const ScanTime& range, std::uint64_t seed);
-
 struct TableRunOptions {
   SimulatorOptions engine;
   ScanTime scanTime{};
@@ -28,10 +25,5 @@ std::vector<TestResult> runTable(const Program& program, const TestTable& table,
 
 /// What a recorder has seen, as numbers and names.
 CoverageResult coverageOf(const CoverageRecorder& recorder);
-
-/// Names of what counts: "MAIN:4 A I0.2", "MAIN:4 = Q0.0: A I0.2".
-std::string contactText(const CoverageMap& map, std::uint32_t leaf);
-std::string conditionText(const CoverageMap& map, std::size_t decision, std::size_t condition);
-std::string transitionText(const CoverageMap& map, std::size_t transition);
 
 }  // namespace rungproof

@@ -17,18 +17,6 @@ namespace {
 
 constexpr std::size_t mostMissingInText = 40;
 
-struct NamedMeasure {
-  std::string_view name;
-  const MeasureResult& measure;
-};
-
-std::array<NamedMeasure, 4> measuresOf(const CoverageResult& coverage) {
-  return {{{"networks", coverage.networks},
-           {"contacts", coverage.contacts},
-           {"transitions", coverage.transitions},
-           {"mcdc", coverage.mcdc}}};
-}
-
 std::string_view stateName(MissingGoal::State state) {
   return state == MissingGoal::State::Unreachable ? "impossible"
          : state == MissingGoal::State::Open      ? "open"
@@ -81,26 +69,26 @@ std::string killText(const std::vector<PlantedFault>& faults, const Paint& paint
 
 std::string coverageText(const CoverageResult& coverage, const Paint& paint) {
   std::string text = fmt::format("\n{}\n", paint.bold("coverage"));
-  for (const auto& [name, measure] : measuresOf(coverage)) {
-    text += fmt::format("  {:<12} {:>5} of {}", name, measure.covered, measure.total);
+  for (const auto& [which, measure] : coverage.measures) {
+    text += fmt::format("  {:<12} {:>5} of {}", measureText(which), measure.covered, measure.total);
     if (measure.unreachable > 0) text += fmt::format(", {} proved impossible", measure.unreachable);
     if (measure.open > 0) text += fmt::format(", {} not covered", measure.open);
-    if (name == "mcdc" && measure.covered > 0)
+    if (which == Measure::Mcdc && measure.covered > 0)
       text += fmt::format("; {} by unique cause, {} by masking", coverage.uniqueCause, coverage.masking);
     text += "\n";
   }
-  for (const auto& [name, measure] : measuresOf(coverage)) {
+  for (const auto& [which, measure] : coverage.measures) {
     std::size_t shown = 0;
     for (const MissingGoal& goal : measure.missing) {
       if (++shown > mostMissingInText) {
-        text +=
-            fmt::format("  ... {} more of {} in the JSON report\n", measure.missing.size() - mostMissingInText, name);
+        text += fmt::format("  ... {} more of {} in the JSON report\n", measure.missing.size() - mostMissingInText,
+                            measureText(which));
         break;
       }
       const std::string_view state = stateName(goal.state);
       text += fmt::format("  {} {}: {}: {}\n",
-                          goal.state == MissingGoal::State::Unreachable ? paint.cyan(state) : paint.yellow(state), name,
-                          messageText(goal.text), messageText(goal.reason));
+                          goal.state == MissingGoal::State::Unreachable ? paint.cyan(state) : paint.yellow(state),
+                          measureText(which), messageText(goal.text), messageText(goal.reason));
     }
   }
   return text;
@@ -114,9 +102,9 @@ std::size_t TestReport::failed() const {
 
 std::size_t TestReport::openGoals() const {
   if (!coverage) return 0;
-  std::size_t open = 0, i = 0;
-  for (const auto& [name, measure] : measuresOf(*coverage)) {
-    if (asked[i++]) open += measure.open;
+  std::size_t open = 0;
+  for (const auto& [which, measure] : coverage->measures) {
+    if (asked.contains(which)) open += measure.open;
   }
   return open;
 }
@@ -190,7 +178,7 @@ Json testsJson(const TestReport& report) {
 }
 
 void addMeasures(Json& json, const CoverageResult& coverage) {
-  for (const auto& [name, measure] : measuresOf(coverage)) {
+  for (const auto& [which, measure] : coverage.measures) {
     Json names = Json::array(), goals = Json::array();
     for (const MissingGoal& goal : measure.missing) {
       if (goal.state != MissingGoal::State::Unreachable) names.push_back(goal.text);
@@ -198,9 +186,9 @@ void addMeasures(Json& json, const CoverageResult& coverage) {
       if (!goal.certificate.empty()) one["certificate"] = goal.certificate;
       goals.push_back(std::move(one));
     }
-    json[std::string(name)] = {{"covered", measure.covered},         {"total", measure.total},
-                               {"unreachable", measure.unreachable}, {"open", measure.open},
-                               {"missing", std::move(names)},        {"goals", std::move(goals)}};
+    json[std::string(measureWord(which))] = {{"covered", measure.covered},         {"total", measure.total},
+                                             {"unreachable", measure.unreachable}, {"open", measure.open},
+                                             {"missing", std::move(names)},        {"goals", std::move(goals)}};
   }
   json["mcdc"]["unique_cause"] = coverage.uniqueCause;
   json["mcdc"]["masking"] = coverage.masking;
@@ -243,13 +231,13 @@ void writeTestPage(const Report& report, const TestReport& tests, std::ostream& 
   if (tests.coverage) {
     out << "<h2>Coverage</h2>\n<table><thead><tr><th>Measure</th><th>Covered</th><th>Of</th><th>Impossible</th>"
            "<th>Open</th></tr></thead><tbody>\n";
-    for (const auto& [name, measure] : measuresOf(*tests.coverage))
-      out << fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", name, measure.covered,
-                         measure.total, measure.unreachable, measure.open);
+    for (const auto& [which, measure] : tests.coverage->measures)
+      out << fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", measureText(which),
+                         measure.covered, measure.total, measure.unreachable, measure.open);
     out << "</tbody></table>\n";
-    for (const auto& [name, measure] : measuresOf(*tests.coverage)) {
+    for (const auto& [which, measure] : tests.coverage->measures) {
       if (measure.missing.empty()) continue;
-      out << fmt::format("<h3>Not covered: {}</h3>\n<ul>\n", name);
+      out << fmt::format("<h3>Not covered: {}</h3>\n<ul>\n", measureText(which));
       for (const MissingGoal& goal : measure.missing)
         out << fmt::format("<li><b>{}</b> {}: {}</li>\n", stateName(goal.state), xmlText(goal.text),
                            xmlText(goal.reason));

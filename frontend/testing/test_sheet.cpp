@@ -14,11 +14,6 @@ namespace rungproof {
 
 namespace {
 
-std::string namedSignal(const TraceSignal& signal) {
-  const bool hasSymbol = !signal.symbol.empty() && signal.symbol != signal.name;
-  return hasSymbol ? fmt::format("{} ({})", signal.symbol, signal.name) : signal.name;
-}
-
 std::string seenValue(const TraceSignal& signal, const TestRange& range) {
   if (signal.type != SignalType::Bool) return rangeText(range, signal.type);
   return range.low == 0 ? "off" : "on";
@@ -45,7 +40,7 @@ std::vector<Sight> sightsOf(const TestTable& table, const TestCase& test) {
       if (isSame)
         ++sight.same;
       else
-        sight.changed.push_back(fmt::format("{} {}", namedSignal(table.expects[i]), seenValue(table.expects[i], *now)));
+        sight.changed.push_back(fmt::format("{} {}", signalText(table.expects[i]), seenValue(table.expects[i], *now)));
       before[i] = now;
     }
   }
@@ -55,21 +50,6 @@ std::vector<Sight> sightsOf(const TestTable& table, const TestCase& test) {
 std::string sightText(const Sight& sight) {
   if (sight.changed.empty()) return sight.same > 0 ? "nothing changes" : "";
   return fmt::format("{}{}", fmt::join(sight.changed, "; "), sight.same > 0 ? "; all else as before" : "");
-}
-
-/// "switch on Start (I0.0)": by the columns, so that a table of any origin reads alike.
-std::string actionText(const TestTable& table, const TestRow& row, std::vector<double>& values) {
-  std::vector<std::string> actions;
-  for (std::size_t i = 0; i < table.sets.size(); ++i) {
-    if (!row.sets[i] || *row.sets[i] == values[i]) continue;
-    const TraceSignal& signal = table.sets[i].signal;
-    actions.push_back(signal.type == SignalType::Bool
-                          ? fmt::format("switch {} {}", *row.sets[i] != 0 ? "on" : "off", namedSignal(signal))
-                          : fmt::format("set {} to {}", namedSignal(signal), numberText(*row.sets[i], signal.type)));
-    values[i] = *row.sets[i];
-  }
-  if (!actions.empty()) return fmt::format("{}", fmt::join(actions, ", "));
-  return row.step == "power on" ? "power on, all inputs off" : row.step;
 }
 
 /// A wait at the machine: scans are too short to be counted by hand, and none is longer than 100 ms.
@@ -87,12 +67,20 @@ struct SheetRow {
 std::vector<SheetRow> sheetRowsOf(const TestTable& table, const TestCase& test) {
   std::vector<SheetRow> rows;
   const std::vector<Sight> sights = sightsOf(table, test);
-  std::vector<double> values(table.sets.size(), 0);
   for (std::size_t i = 0; i < test.rows.size(); ++i) {
     const TestRow& row = test.rows[i];
-    rows.push_back({actionText(table, row, values), waitForPeople(row.wait), sightText(sights[i]), row.note});
+    rows.push_back({row.step, waitForPeople(row.wait), sightText(sights[i]), row.note});
   }
   return rows;
+}
+
+/// Names of the requirements that the test exercises.
+std::string requirementsOf(const TestSheet& sheet, const std::string& test) {
+  std::vector<std::string> names;
+  for (const SheetRequirement& requirement : sheet.requirements) {
+    if (std::ranges::find(requirement.tests, test) != requirement.tests.end()) names.push_back(requirement.name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 constexpr std::string_view sheetStyle = R"(
@@ -107,15 +95,8 @@ td.n, td.w { white-space: nowrap; text-align: right; } td.box { width: 9mm; text
 .missing { color: #a00; }
 )";
 
-std::array<std::pair<std::string_view, const MeasureResult*>, 4> measuresFor(const CoverageResult& c) {
-  return {{{"networks", &c.networks},
-           {"contacts", &c.contacts},
-           {"transitions", &c.transitions},
-           {"MC/DC pairs", &c.mcdc}}};
-}
-
-std::string measureText(std::string_view name, const MeasureResult& measure) {
-  std::string text = fmt::format("{} of {} {}", measure.covered, measure.total, name);
+std::string figuresText(Measure which, const MeasureResult& measure) {
+  std::string text = fmt::format("{} of {} {}", measure.covered, measure.total, measureText(which));
   if (measure.unreachable > 0) text += fmt::format(" ({} proved impossible)", measure.unreachable);
   if (measure.open > 0) text += fmt::format(" ({} open)", measure.open);
   return text;
@@ -135,7 +116,7 @@ std::string purposeOf(const TestTable& table, const TestCase& test) {
       goes = goes || (last && row.expects[i]->low < *last);
       last = row.expects[i]->low;
     }
-    const std::string name = namedSignal(table.expects[i]);
+    const std::string name = signalText(table.expects[i]);
     if (comes && goes)
       on.push_back(name);
     else if (comes)
@@ -168,14 +149,8 @@ std::string sheetHtml(const TestSheet& sheet) {
     const TestCase& test = sheet.table.tests[i];
     text +=
         fmt::format("<h2 id=\"{0}\">{0}</h2>\n<p>Purpose: {1}.</p>\n", xmlText(test.name), xmlText(sheet.purposes[i]));
-    std::vector<std::string> required;
-    for (const SheetRequirement& requirement : sheet.requirements) {
-      if (std::ranges::find(requirement.tests, test.name) != requirement.tests.end())
-        required.push_back(requirement.name);
-    }
-    if (!required.empty())
-      text += fmt::format("<p class=\"small\">Requirements: {}</p>\n",
-                          xmlText(fmt::format("{}", fmt::join(required, ", "))));
+    if (const std::string required = requirementsOf(sheet, test.name); !required.empty())
+      text += fmt::format("<p class=\"small\">Requirements: {}</p>\n", xmlText(required));
     if (!sheet.networks[i].empty())
       text += fmt::format("<p class=\"small\">Networks: {}</p>\n",
                           xmlText(fmt::format("{}", fmt::join(sheet.networks[i], ", "))));
@@ -203,12 +178,12 @@ std::string sheetHtml(const TestSheet& sheet) {
     text += "</tbody></table>\n";
   }
   text += "<h2>Coverage</h2>\n<ul>\n";
-  for (const auto& [name, measure] : measuresFor(sheet.coverage))
-    text += fmt::format("<li>{}</li>\n", measureText(name, *measure));
+  for (const auto& [which, measure] : sheet.coverage.measures)
+    text += fmt::format("<li>{}</li>\n", figuresText(which, measure));
   text += "</ul>\n";
-  for (const auto& [name, measure] : measuresFor(sheet.coverage)) {
-    for (const MissingGoal& goal : measure->missing)
-      text += fmt::format("<p class=\"small\">Not covered, {}: {}: {}</p>\n", name, xmlText(goal.text),
+  for (const auto& [which, measure] : sheet.coverage.measures) {
+    for (const MissingGoal& goal : measure.missing)
+      text += fmt::format("<p class=\"small\">Not covered, {}: {}: {}</p>\n", measureText(which), xmlText(goal.text),
                           xmlText(goal.reason));
   }
   return text + "</body></html>\n";
@@ -235,6 +210,8 @@ std::string sheetMarkdown(const TestSheet& sheet) {
   for (std::size_t i = 0; i < sheet.table.tests.size(); ++i) {
     const TestCase& test = sheet.table.tests[i];
     text += fmt::format("## {}\n\nPurpose: {}.\n\n", markdownCell(test.name), markdownCell(sheet.purposes[i]));
+    if (const std::string required = requirementsOf(sheet, test.name); !required.empty())
+      text += fmt::format("Requirements: {}\n\n", markdownCell(required));
     if (!sheet.networks[i].empty())
       text += fmt::format("Networks: {}\n\n", markdownCell(fmt::format("{}", fmt::join(sheet.networks[i], ", "))));
     text += "| Step | Action | Wait | Must be seen | OK | Remark |\n|---:|---|---:|---|:---:|---|\n";
@@ -254,11 +231,12 @@ std::string sheetMarkdown(const TestSheet& sheet) {
     text += "\n";
   }
   text += "## Coverage\n\n";
-  for (const auto& [name, measure] : measuresFor(sheet.coverage))
-    text += fmt::format("- {}\n", measureText(name, *measure));
-  for (const auto& [name, measure] : measuresFor(sheet.coverage)) {
-    for (const MissingGoal& goal : measure->missing)
-      text += fmt::format("- not covered, {}: {}: {}\n", name, markdownCell(goal.text), markdownCell(goal.reason));
+  for (const auto& [which, measure] : sheet.coverage.measures)
+    text += fmt::format("- {}\n", figuresText(which, measure));
+  for (const auto& [which, measure] : sheet.coverage.measures) {
+    for (const MissingGoal& goal : measure.missing)
+      text += fmt::format("- not covered, {}: {}: {}\n", measureText(which), markdownCell(goal.text),
+                          markdownCell(goal.reason));
   }
   return text;
 }

@@ -129,10 +129,10 @@ TEST(JsonReport, OfTestsConformsToItsSchema) {
   failed.actual = "0";
   failed.scan = 4;
   tests.coverage.emplace();
-  tests.coverage->contacts = {.covered = 1, .total = 3, .unreachable = 1, .open = 1};
-  tests.coverage->contacts.missing = {
-      {"MAIN:1 A I0.1", "its bit was never 1"},
-      {"MAIN:2 A M0.0", "proved", MissingGoal::State::Unreachable, "proofs/goal_1.smt2"}};
+  MeasureResult& contacts = tests.coverage->measures[Measure::Contacts];
+  contacts = {.covered = 1, .total = 3, .unreachable = 1, .open = 1};
+  contacts.missing = {{"MAIN:1 A I0.1", "its bit was never 1"},
+                      {"MAIN:2 A M0.0", "proved", MissingGoal::State::Unreachable, "proofs/goal_1.smt2"}};
   tests.kills.emplace();
   report.tests = std::make_shared<const TestReport>(tests);
   const nlohmann::json json = nlohmann::json::parse(written("json", report));

@@ -131,6 +131,18 @@ TEST_F(Coverage, ReadsExpressionsAndBranches) {
   EXPECT_EQ(figures(c["networks"]), Figures(1, 2));
 }
 
+// A decided as 1 with B = 0 and as 0 with B = 1; both times Q was 1. A pair needs both outcomes.
+TEST_F(Coverage, AsksForBothOutcomesOfAPair) {
+  const std::string program = write(
+      "x.st", "PROGRAM P\nVAR_INPUT A, B : BOOL; END_VAR\nVAR_OUTPUT Q : BOOL; END_VAR\nQ := A XOR B;\nEND_PROGRAM\n");
+  const nlohmann::json c = of(program, write("t.csv", "test,set A,set B,expect Q\nt,1,0,1\nt,0,1,1\n"));
+  EXPECT_EQ(figures(c["contacts"]), Figures(2, 2));
+  EXPECT_EQ(figures(c["mcdc"]), Figures(0, 2));
+  EXPECT_EQ(c["mcdc"]["goals"][0]["reason"], "as 0 and as 1 it decided the outcome, which was never 0");
+  const nlohmann::json more = of(program, write("u.csv", "test,set A,set B,expect Q\nt,1,0,1\nt,0,1,1\nt,1,1,0\n"));
+  EXPECT_EQ(figures(more["mcdc"]), Figures(2, 2));
+}
+
 TEST_F(Coverage, CountsTransitionsOfCharts) {
   const std::string program = write("c.st",
                                     "PROGRAM C\nVAR_INPUT Go, Back : BOOL; END_VAR\nVAR_OUTPUT Run : BOOL; END_VAR\n"

@@ -125,6 +125,15 @@ TEST_F(Generate, CoversStepsAndTimes) {
   replayAnywhere(program, content("out/tests.csv"), 11);
 }
 
+// Each input decides in every row; a pair needs a row of outcome 0 too, which no condition alone asks for.
+TEST_F(Generate, CoversBothOutcomesOfAnExclusiveOr) {
+  const std::string program = write(
+      "x.st", "PROGRAM P\nVAR_INPUT A, B : BOOL; END_VAR\nVAR_OUTPUT Q : BOOL; END_VAR\nQ := A XOR B;\nEND_PROGRAM\n");
+  const nlohmann::json report = generate(program, 0, {"--goal", "mcdc"});
+  EXPECT_EQ(report["coverage"]["mcdc"]["covered"], 2);
+  EXPECT_EQ(report["coverage"]["mcdc"]["open"], 0);
+}
+
 // The same latch in the other families: three contacts, three conditions of the output.
 TEST_F(Generate, CoversOtherFamilies) {
   const std::string step7 = write("l.awl",
