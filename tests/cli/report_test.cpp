@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <sstream>
 
 #include "frontend/test_results.hpp"
@@ -217,6 +218,29 @@ TEST(GithubReport, EscapesWhatTheCommandFormReserves) {
   report.findings[0].message = "50 % of a: b,\nnext";
   EXPECT_EQ(written("github", report),
             "::error file=a.awl,line=1,endLine=1,col=1,title=ADR001::50 %25 of a: b,%0Anext\n");
+}
+
+// The members that GitLab's documentation of the code quality report requires; equal findings need fingerprints of
+// their own, or one of them vanishes.
+TEST(GitlabReport, HasWhatAMergeRequestNeeds) {
+  const Report report = reportWith(
+      {finding("ADR001", Severity::Error), finding("ADR001", Severity::Error), finding("NET001", Severity::Note, 8)},
+      {property(Outcome::Proved), property(Outcome::Violated), property(Outcome::Unknown)});
+  const nlohmann::json issues = nlohmann::json::parse(written("gitlab", report));
+  ASSERT_EQ(issues.size(), 5U);  // what is proved is no issue
+  std::set<std::string> fingerprints;
+  for (const nlohmann::json& issue : issues) {
+    fingerprints.insert(issue["fingerprint"]);
+    EXPECT_EQ(issue["location"]["path"], "a.awl");
+  }
+  EXPECT_EQ(fingerprints.size(), 5U);
+  EXPECT_EQ(issues[0]["check_name"], "ADR001");
+  EXPECT_EQ(issues[0]["severity"], "critical");
+  EXPECT_EQ(issues[2]["severity"], "info");
+  EXPECT_EQ(issues[2]["location"]["lines"]["begin"], 2);
+  EXPECT_EQ(issues[3]["severity"], "blocker");
+  EXPECT_EQ(issues[3]["description"], "VIOLATED: p");
+  EXPECT_EQ(issues[4]["severity"], "minor");
 }
 
 TEST(JunitReport, CountsTestsAndFailures) {

@@ -60,7 +60,7 @@ TEST(S7Protected, NoCommandPrintsAStatement) {
     std::string what;
     for (const std::string& argument : arguments) what += argument + " ";
     const bool hasFormats = arguments[0] == "lint" || (arguments[0] == "prove" && !secondsLong(arguments));
-    for (const char* format : {"human", "concise", "json", "sarif", "github", "html", "junit"}) {
+    for (const char* format : {"human", "concise", "json", "sarif", "github", "gitlab", "html", "junit"}) {
       std::vector<std::string> given = arguments;
       if (hasFormats) given.insert(given.end(), {"--format", format});
       expectSecret(test::run(given), what + format);
