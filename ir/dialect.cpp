@@ -46,6 +46,10 @@ const Dialect& dialectOf(Cpu cpu) {
 Target::Target() : Target(all[0]->usual) {}
 
 std::optional<Cpu> cpuNamed(std::string_view name) {
+  if (name.size() > 3 && (name.starts_with("CPU") || name.starts_with("cpu"))) {
+    name.remove_prefix(3);
+    name.remove_prefix(std::min(name.find_first_not_of(' '), name.size()));
+  }
   const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
   const CpuModel* row =
       found(&Dialect::cpus, [&](const CpuModel& r) { return std::ranges::equal(r.name, name, {}, small, small); });

@@ -323,6 +323,13 @@ int runArguments(const std::vector<std::string>& arguments, const Streams& strea
   }
   const Command* command = commandNamed(arguments[at]);
   if (command == nullptr) {
+    std::error_code error;
+    if (fs::exists(arguments[at], error))
+      return failed(streams.err, {fmt::format("'{}' is a file and no command", arguments[at]),
+                                  {},
+                                  fmt::format("to check it: rungproof lint {0}; to prove its interlocks: rungproof "
+                                              "prove {0}; to run it: rungproof sim {0}",
+                                              arguments[at])});
     const std::string_view meant = closest(arguments[at], commandNames());
     return failed(streams.err,
                   {fmt::format("unknown command '{}'", arguments[at]),

@@ -29,6 +29,9 @@ TEST(Dialect, EveryCpuBelongsToOneDialectAndHasOneName) {
     }
   }
   EXPECT_EQ(cpuNamed("st60"), cpuNamed("ST60")) << "in any case of letters";
+  EXPECT_EQ(cpuNamed("CPU 224"), cpuNamed("224"));
+  EXPECT_EQ(cpuNamed("cpu315-2"), cpuNamed("315-2"));
+  EXPECT_FALSE(cpuNamed("CPU"));
   EXPECT_FALSE(cpuNamed("999"));
 }
 
