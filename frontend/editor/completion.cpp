@@ -7,11 +7,12 @@
 #include <array>
 #include <set>
 
+#include "frontend/editor/structured_text.hpp"
 #include "frontend/files/file_reader.hpp"
 #include "frontend/property/property_types.hpp"
 #include "frontend/settings/code_list.hpp"
 #include "frontend/stl/stl_lexer.hpp"
-#include "ir/s7200/isa.hpp"
+#include "ir/dialect.hpp"
 
 namespace rungproof {
 
@@ -26,7 +27,12 @@ constexpr std::array<std::string_view, 10> furtherWords = {"not",   "rises",    
 
 class Offers {
  public:
-  explicit Offers(Json range) : range_(std::move(range)) {}
+  Offers(Json range, bool isQuoted) : range_(std::move(range)), isQuoted_(isQuoted) {}
+
+  /// A symbol of an S7-300/400 source, which stands in quotation marks.
+  void addQuoted(std::string_view name, ItemKind kind, std::string_view detail, std::string_view documentation) {
+    add(fmt::format("{}{}\"", isQuoted_ ? "" : "\"", name), kind, detail, documentation);
+  }
 
   void add(std::string_view label, ItemKind kind, std::string_view detail, std::string_view documentation = {}) {
     if (!labels_.insert(std::string(label)).second) return;
@@ -40,6 +46,7 @@ class Offers {
 
  private:
   Json range_;
+  bool isQuoted_;  ///< the opening quotation mark stands there already
   Json items_ = Json::array();
   std::set<std::string> labels_;
 };
@@ -61,7 +68,7 @@ void offerMnemonics(const CheckedDocument& document, Offers& offers) {
   const Program& program = document.program();
   const std::string_view setting = document.settings().text(Opt::Mnemonics);
   const bool isGerman = setting == "german" || (setting != "international" && writesGerman(program));
-  for (const Desc& desc : s7200Instructions().all()) {
+  for (const Desc& desc : dialectOf(program.target).instructions().all()) {
     if (desc.drawingOnly || (desc.cpus & cpuBit(program.target.cpu)) == 0) continue;
     if (desc.olderDialectOnly && !program.olderDialect) continue;
     offers.add(isGerman && !desc.german.empty() ? desc.german : desc.stl, ItemKind::Keyword, desc.meaning, desc.group);
@@ -75,8 +82,12 @@ bool fits(const OperandDesc* wanted, const Operand& address) {
 }
 
 void offerAddresses(const CheckedDocument& document, const OperandDesc* wanted, Offers& offers) {
+  const bool isQuoted = isStep7(document.program().target);
   for (const Symbol& symbol : document.program().symbols) {
-    if (fits(wanted, symbol.address))
+    if (!fits(wanted, symbol.address)) continue;
+    if (isQuoted)
+      offers.addQuoted(symbol.name, ItemKind::Variable, toString(symbol.address), symbol.comment);
+    else
       offers.add(symbol.name, ItemKind::Variable, toString(symbol.address), symbol.comment);
   }
   for (const XrefEntry& entry : document.xref().entries) {
@@ -93,11 +104,7 @@ void offerAddresses(const CheckedDocument& document, const OperandDesc* wanted, 
 /// IEC 61131-3: the variables of the program and the words of ST.
 void offerVariables(const CheckedDocument& document, Offers& offers) {
   for (const Symbol& symbol : document.program().symbols) offers.add(symbol.name, ItemKind::Variable, {});
-  for (const std::string_view word :
-       {"IF",     "THEN", "ELSIF",   "ELSE",  "END_IF",    "CASE",   "OF",    "END_CASE",   "FOR",  "TO",
-        "BY",     "DO",   "END_FOR", "WHILE", "END_WHILE", "REPEAT", "UNTIL", "END_REPEAT", "EXIT", "CONTINUE",
-        "RETURN", "AND",  "OR",      "XOR",   "NOT",       "MOD",    "TRUE",  "FALSE"})
-    offers.add(word, ItemKind::Keyword, "structured text");
+  for (const TextWord& word : structuredTextWords()) offers.add(word.word, ItemKind::Keyword, "structured text");
 }
 
 void offerRoutines(const CheckedDocument& document, Type type, std::uint32_t offset, Offers& offers) {
@@ -121,8 +128,9 @@ void offerOperands(const CheckedDocument& document, std::string_view line, std::
   const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
   std::string mnemonic(line.substr(0, end));
   std::ranges::transform(mnemonic, mnemonic.begin(), upper);
-  const Desc* desc = s7200Instructions().named(mnemonic);
-  if (desc == nullptr) desc = s7200Instructions().namedGerman(mnemonic);
+  const InstructionTable& table = dialectOf(document.program().target).instructions();
+  const Desc* desc = table.named(mnemonic);
+  if (desc == nullptr) desc = table.namedGerman(mnemonic);
   const auto index = static_cast<int>(std::ranges::count(line.substr(end), ','));
   const OperandDesc* const wanted = desc != nullptr && index < desc->operandCount ? &desc->operand(index) : nullptr;
   const bool isRoutine = wanted != nullptr && (wanted->type == Type::Label || wanted->type == Type::Subroutine ||
@@ -150,6 +158,19 @@ void offerSuppression(std::string_view text, Offers& offers) {
   }
 }
 
+/// The statement that is typed, behind the label that may stand before it (S7-300/400: "M001: A I 0.0").
+std::string_view withoutLabel(const CheckedDocument& document, std::string_view typed) {
+  const auto bare = [](std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t");
+    return first == std::string_view::npos ? std::string_view() : text.substr(first);
+  };
+  const std::string_view line = bare(typed);
+  const std::size_t colon = line.find(':');
+  const bool hasLabel = isStep7(document.program().target) && colon != std::string_view::npos && colon > 0 &&
+                        line.find_first_of(" \t\"") > colon;
+  return hasLabel ? bare(line.substr(colon + 1)) : line;
+}
+
 }  // namespace
 
 Json completionsAt(const CheckedDocument& document, ClientPlace place) {
@@ -159,8 +180,9 @@ Json completionsAt(const CheckedDocument& document, ClientPlace place) {
   const std::string_view typed = source.text().substr(begin, offset - begin);
   const std::size_t word = typed.find_last_of(" \t,();/\"");
   const std::size_t from = word == std::string_view::npos ? 0 : word + 1;
-  Offers offers(document.range(
-      {document.file(), begin + static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(typed.size() - from)}));
+  Offers offers(document.range({document.file(), begin + static_cast<std::uint32_t>(from),
+                                static_cast<std::uint32_t>(typed.size() - from)}),
+                from > 0 && typed[from - 1] == '"');
   const std::size_t comment = typed.find("//");
   const std::size_t tool = typed.find("rungproof:");
   if (endsInAny(source.name(), {".prop"}) ||
@@ -171,8 +193,7 @@ Json completionsAt(const CheckedDocument& document, ClientPlace place) {
   } else if (comment == std::string_view::npos && isIec(document.program().target)) {
     offerVariables(document, offers);
   } else if (comment == std::string_view::npos) {
-    const std::size_t first = typed.find_first_not_of(" \t");
-    const std::string_view line = first == std::string_view::npos ? std::string_view() : typed.substr(first);
+    const std::string_view line = withoutLabel(document, typed);
     if (line.find_first_of(" \t") == std::string_view::npos)
       offerMnemonics(document, offers);
     else

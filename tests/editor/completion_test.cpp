@@ -35,6 +35,31 @@ TEST(Completion, GermanMnemonicsInAGermanProgram) {
   EXPECT_FALSE(has(labels, "AN"));
 }
 
+// CC and JC are statements of an S7-300/400 only, TON and LDW>= of an S7-200.
+TEST(Completion, AStep7SourceHasItsOwnWords) {
+  EditorSession session({"--dialect", "s7-300"});
+  session.open(
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      A I 0.0;\n      JC M001;\n      L MW 10;\n"
+      "M001: \n      = \nEND_ORGANIZATION_BLOCK\n");
+  for (const int line : {3, 6}) {  // after blanks, after a label
+    const std::vector<std::string> labels = labelsAt(session, line, 6);
+    for (const char* mnemonic : {"A", "JC", "CC", "OPN", "L"}) EXPECT_TRUE(has(labels, mnemonic)) << mnemonic << line;
+    for (const char* other : {"TON", "LDW>=", "ALD"}) EXPECT_FALSE(has(labels, other)) << other << line;
+  }
+  const std::vector<std::string> bits = labelsAt(session, 7, 8);
+  EXPECT_TRUE(has(bits, "I0.0"));
+  EXPECT_FALSE(has(bits, "MW10"));
+}
+
+TEST(Completion, StructuredTextHasItsKeywordsAndVariables) {
+  EditorSession session;
+  session.open("PROGRAM P\nVAR_INPUT Start : BOOL; END_VAR\n \nEND_PROGRAM\n", "untitled:p.st");
+  const Json offered = at(session.ask("textDocument/completion", 2, 1, "untitled:p.st"), "items");
+  const std::vector<std::string> labels = textsOf(offered, "label");
+  for (const char* word : {"IF", "END_VAR", "TRUE", "Start"}) EXPECT_TRUE(has(labels, word)) << word;
+  EXPECT_FALSE(has(labels, "LD"));
+}
+
 TEST(Completion, AddressesThatFitTheOperand) {
   EditorSession session;
   session.open(press + "SYMBOL_TABLE\nStart,I0.0,\nLevel,VW10,\nEND_SYMBOL_TABLE\n");
