@@ -87,13 +87,15 @@ void CheckedDocument::lint() {
   sortFindings(report_);
 }
 
+ClientPlace CheckedDocument::place(std::uint32_t offset) const {
+  ClientPlace place = placeOf(source(), offset);
+  if (hasMark_ && place.line == 0) ++place.character;
+  return place;
+}
+
 Json CheckedDocument::range(Span span) const {
-  const SourceFile& file = report_.sources->file(span.file);
-  ClientPlace begin = placeOf(file, span.offset), end = placeOf(file, span.offset + span.length);
-  const bool isShifted = hasMark_ && isHere(span);
-  if (isShifted && begin.line == 0) ++begin.character;
-  if (isShifted && end.line == 0) ++end.character;
-  return rangeJson(begin, end);
+  if (isHere(span)) return rangeJson(place(span.offset), place(span.offset + span.length));
+  return rangeJson(report_.sources->file(span.file), span);
 }
 
 std::string CheckedDocument::uriOf(std::uint32_t file) const {

@@ -3,7 +3,11 @@
 //   diagnostics      what is wrong, and the verdicts of proofs
 //   cursor           what stands at a place of the text
 //   hover            what that is: instruction, address, symbol, network
-//   navigation       where it is declared, written and used; the outline
+//   navigation       where it is declared, written and used; the outline; what can be folded
+//   rename           another name for it, at all of its places
+//   semantic_tokens  what each word is, for colours
+//   inlay_hints      symbols beside addresses, seconds beside presets
+//   formatting       the statements in columns
 //   completion       what may stand there
 //   code_action      mending and silencing what is wrong
 //   proof            "prove this property"
@@ -54,6 +58,8 @@ class CheckedDocument {
   std::string uriOf(std::uint32_t file) const;
   Json location(Span span) const { return {{"uri", uriOf(span.file)}, {"range", range(span)}}; }
   std::uint32_t offset(ClientPlace place) const;
+  /// The place of an offset in the document.
+  ClientPlace place(std::uint32_t offset) const;
 
   const Facts& facts() const;
   const Xref& xref() const;

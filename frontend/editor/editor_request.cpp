@@ -3,14 +3,19 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "frontend/editor/code_action.hpp"
 #include "frontend/editor/completion.hpp"
 #include "frontend/editor/cursor.hpp"
 #include "frontend/editor/editor_server.hpp"
+#include "frontend/editor/formatting.hpp"
 #include "frontend/editor/hover.hpp"
+#include "frontend/editor/inlay_hints.hpp"
 #include "frontend/editor/navigation.hpp"
 #include "frontend/editor/picture.hpp"
+#include "frontend/editor/rename.hpp"
+#include "frontend/editor/semantic_tokens.hpp"
 
 namespace rungproof {
 
@@ -19,17 +24,33 @@ namespace {
 RpcFault notOpen() { return {RpcCode::InvalidParams, "the document is not open"}; }
 RpcFault noPlace() { return {RpcCode::InvalidParams, "the place must have a line and a character"}; }
 
+std::optional<std::pair<ClientPlace, ClientPlace>> rangeFrom(const Json& params) {
+  const Json* const range = params.find("range");
+  const auto begin = range == nullptr ? std::nullopt : placeFrom(range->find("start"));
+  const auto end = range == nullptr ? std::nullopt : placeFrom(range->find("end"));
+  if (!begin || !end) return std::nullopt;
+  return std::pair(*begin, *end);
+}
+
 Form formNamed(std::string_view name) { return name == "fbd" ? Form::Fbd : name == "stl" ? Form::Stl : Form::Ladder; }
 
 }  // namespace
 
 std::span<const EditorServer::Request> EditorServer::requests() {
-  static constexpr std::array<Request, 11> rows = {{
+  static constexpr std::array<Request, 19> rows = {{
       {"initialize", &EditorServer::initialize},
       {"shutdown", &EditorServer::shutdown},
       {"textDocument/hover", &EditorServer::hover},
       {"textDocument/definition", &EditorServer::definition},
       {"textDocument/references", &EditorServer::references},
+      {"textDocument/documentHighlight", &EditorServer::documentHighlight},
+      {"textDocument/prepareRename", &EditorServer::prepareRename},
+      {"textDocument/rename", &EditorServer::rename},
+      {"textDocument/foldingRange", &EditorServer::foldingRange},
+      {"textDocument/semanticTokens/full", &EditorServer::semanticTokens},
+      {"textDocument/inlayHint", &EditorServer::inlayHint},
+      {"textDocument/formatting", &EditorServer::formatting},
+      {"textDocument/rangeFormatting", &EditorServer::formatting},
       {"textDocument/documentSymbol", &EditorServer::documentSymbol},
       {"textDocument/completion", &EditorServer::completion},
       {"textDocument/codeAction", &EditorServer::codeAction},
@@ -64,6 +85,63 @@ EditorServer::Answer EditorServer::references(const RpcMessage& message) {
   return referencesAt(checked(*open), *place, declaration != nullptr && declaration->isTrue());
 }
 
+EditorServer::Answer EditorServer::documentHighlight(const RpcMessage& message) {
+  Open* const open = openOf(message.params);
+  if (open == nullptr) return notOpen();
+  const auto place = placeFrom(message.params.find("position"));
+  return place ? Answer(highlightsAt(checked(*open), *place)) : Answer(noPlace());
+}
+
+EditorServer::Answer EditorServer::prepareRename(const RpcMessage& message) {
+  Open* const open = openOf(message.params);
+  if (open == nullptr) return notOpen();
+  const auto place = placeFrom(message.params.find("position"));
+  return place ? Answer(renameRange(checked(*open), *place)) : Answer(noPlace());
+}
+
+EditorServer::Answer EditorServer::rename(const RpcMessage& message) {
+  Open* const open = openOf(message.params);
+  if (open == nullptr) return notOpen();
+  const auto place = placeFrom(message.params.find("position"));
+  const Json* const name = message.params.find("newName");
+  if (!place) return noPlace();
+  if (name == nullptr) return RpcFault{RpcCode::InvalidParams, "the new name is missing"};
+  std::variant<Json, std::string> edit = renameAt(checked(*open), *place, name->text());
+  if (const std::string* fault = std::get_if<std::string>(&edit)) return RpcFault{RpcCode::RequestFailed, *fault};
+  return std::move(std::get<Json>(edit));
+}
+
+EditorServer::Answer EditorServer::foldingRange(const RpcMessage& message) {
+  Open* const open = openOf(message.params);
+  return open == nullptr ? Answer(notOpen()) : Answer(foldsOf(checked(*open)));
+}
+
+EditorServer::Answer EditorServer::semanticTokens(const RpcMessage& message) {
+  Open* const open = openOf(message.params);
+  return open == nullptr ? Answer(notOpen()) : Answer(semanticTokensOf(checked(*open)));
+}
+
+EditorServer::Answer EditorServer::inlayHint(const RpcMessage& message) {
+  Open* const open = openOf(message.params);
+  if (open == nullptr) return notOpen();
+  const auto range = rangeFrom(message.params);
+  return range ? Answer(inlayHintsIn(checked(*open), range->first, range->second)) : Answer(noPlace());
+}
+
+/// Of the whole document, or of the lines of a range.
+EditorServer::Answer EditorServer::formatting(const RpcMessage& message) {
+  Open* const open = openOf(message.params);
+  if (open == nullptr) return notOpen();
+  FormatStyle style;
+  const Json* const options = message.params.find("options");
+  const Json* const tabSize = options == nullptr ? nullptr : options->find("tabSize");
+  if (tabSize != nullptr)
+    style.tabSize = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(tabSize->natural().value_or(4), 1, 16));
+  const auto range = rangeFrom(message.params);
+  const std::uint32_t last = range ? range->second.line : std::numeric_limits<std::uint32_t>::max();
+  return formattingEdits(checked(*open), style, range ? range->first.line : 0, last);
+}
+
 EditorServer::Answer EditorServer::documentSymbol(const RpcMessage& message) {
   Open* const open = openOf(message.params);
   return open == nullptr ? Answer(notOpen()) : Answer(outlineOf(checked(*open)));
@@ -86,10 +164,8 @@ EditorServer::Answer EditorServer::completion(const RpcMessage& message) {
 EditorServer::Answer EditorServer::codeAction(const RpcMessage& message) {
   Open* const open = openOf(message.params);
   if (open == nullptr) return notOpen();
-  const Json* const range = message.params.find("range");
-  const auto begin = range == nullptr ? std::nullopt : placeFrom(range->find("start"));
-  const auto end = range == nullptr ? std::nullopt : placeFrom(range->find("end"));
-  return begin && end ? Answer(codeActionsIn(checked(*open), *begin, *end)) : Answer(noPlace());
+  const auto range = rangeFrom(message.params);
+  return range ? Answer(codeActionsIn(checked(*open), range->first, range->second)) : Answer(noPlace());
 }
 
 EditorServer::Answer EditorServer::codeLens(const RpcMessage& message) {

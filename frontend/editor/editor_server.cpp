@@ -8,6 +8,7 @@
 
 #include "frontend/cli/cli.hpp"
 #include "frontend/editor/diagnostics.hpp"
+#include "frontend/editor/semantic_tokens.hpp"
 #include "frontend/files/disk_file.hpp"
 
 namespace rungproof {
@@ -44,6 +45,13 @@ Json capabilities() {
           {"hoverProvider", true},
           {"definitionProvider", true},
           {"referencesProvider", true},
+          {"documentHighlightProvider", true},
+          {"renameProvider", Json{{"prepareProvider", true}}},
+          {"foldingRangeProvider", true},
+          {"semanticTokensProvider", Json{{"legend", semanticLegend()}, {"full", true}}},
+          {"inlayHintProvider", true},
+          {"documentFormattingProvider", true},
+          {"documentRangeFormattingProvider", true},
           {"documentSymbolProvider", true},
           {"workspaceSymbolProvider", true},
           {"completionProvider", Json{{"triggerCharacters", Json::array({" ", ",", ":", "@"})}}},

@@ -54,6 +54,13 @@ class EditorServer : public RpcServer {
   Answer hover(const RpcMessage& message);
   Answer definition(const RpcMessage& message);
   Answer references(const RpcMessage& message);
+  Answer documentHighlight(const RpcMessage& message);
+  Answer prepareRename(const RpcMessage& message);
+  Answer rename(const RpcMessage& message);
+  Answer foldingRange(const RpcMessage& message);
+  Answer semanticTokens(const RpcMessage& message);
+  Answer inlayHint(const RpcMessage& message);
+  Answer formatting(const RpcMessage& message);
   Answer documentSymbol(const RpcMessage& message);
   Answer workspaceSymbol(const RpcMessage& message);
   Answer completion(const RpcMessage& message);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "frontend/editor/inlay_hints.hpp"
 #include "frontend/editor/picture.hpp"
 #include "frontend/explain/address_page.hpp"
 #include "frontend/explain/instruction_page.hpp"
@@ -84,9 +85,7 @@ std::string presetText(const CheckedDocument& document, const Operand& address) 
     if (box.operands.size() < 2) continue;
     const Operand& preset = box.operands[1];
     text += fmt::format("\nPreset {} in network {}", toString(preset), facts.networkOf(id).number);
-    if (isTimer && preset.kind == OperandKind::Constant)
-      text += fmt::format(": {:g} s",
-                          static_cast<double>(preset.value * timerResolution(static_cast<int>(address.offset))) / 1000);
+    if (const std::string time = presetTime(box); !time.empty()) text += ": " + time;
     text += "\n";
   }
   return text;

@@ -29,15 +29,25 @@ class Places {
 
   const CheckedDocument& document() const { return document_; }
   void add(Span span) {
-    if (added_.emplace(span.file, span.offset, span.length).second) list_.push_back(document_.location(span));
+    if (!has(span)) list_.push_back(span);
+    added_.insert(keyOf(span));
   }
   bool empty() const { return list_.empty(); }
-  Json take() { return std::move(list_); }
+  bool has(Span span) const { return added_.contains(keyOf(span)); }
+  const std::vector<Span>& spans() const { return list_; }
+  Json locations() const {
+    Json list = Json::array();
+    for (const Span& span : list_) list.push_back(document_.location(span));
+    return list;
+  }
 
  private:
+  using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
+  static Key keyOf(Span span) { return {span.file, span.offset, span.length}; }
+
   const CheckedDocument& document_;
-  std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> added_;
-  Json list_ = Json::array();
+  std::set<Key> added_;
+  std::vector<Span> list_;
 };
 
 void eachInstruction(const Program& program,
@@ -166,24 +176,71 @@ Json definitionsAt(const CheckedDocument& document, ClientPlace place) {
   Places places(document);
   const Cursor cursor = cursorAt(document, document.offset(place));
   if (cursor.operand && cursor.routine()) addRoutine(cursor, places);
-  if (!isAddress(cursor)) return places.take();
+  if (!isAddress(cursor)) return places.locations();
   addDeclarations(cursor, places);
   // A name leads to its declaration, an address to whatever gives it its value.
   if (places.empty() || cursor.operand->text.empty()) addUses(cursor, true, places);
-  return places.take();
+  return places.locations();
 }
 
-Json referencesAt(const CheckedDocument& document, ClientPlace place, bool withDeclaration) {
-  Places places(document);
-  const Cursor cursor = cursorAt(document, document.offset(place));
+namespace {
+
+void addReferences(const Cursor& cursor, bool withDeclaration, Places& places) {
   if (cursor.operand && cursor.routine()) {
     if (withDeclaration) addRoutine(cursor, places);
     addCalls(cursor, places);
   }
-  if (!isAddress(cursor)) return places.take();
+  if (!isAddress(cursor)) return;
   if (withDeclaration) addDeclarations(cursor, places);
   addUses(cursor, false, places);
-  return places.take();
+}
+
+}  // namespace
+
+Json referencesAt(const CheckedDocument& document, ClientPlace place, bool withDeclaration) {
+  Places places(document);
+  addReferences(cursorAt(document, document.offset(place)), withDeclaration, places);
+  return places.locations();
+}
+
+Json highlightsAt(const CheckedDocument& document, ClientPlace place) {
+  enum class Highlight : int { Text = 1, Read = 2, Write = 3 };  // of the protocol
+  const Cursor cursor = cursorAt(document, document.offset(place));
+  Places all(document), written(document);
+  addReferences(cursor, true, all);
+  if (isAddress(cursor)) addUses(cursor, true, written);
+  Json list = Json::array();
+  for (const Span& span : all.spans()) {
+    if (!document.isHere(span)) continue;
+    const Highlight kind = !isAddress(cursor)  ? Highlight::Text
+                           : written.has(span) ? Highlight::Write
+                                               : Highlight::Read;
+    list.push_back({{"range", document.range(span)}, {"kind", static_cast<int>(kind)}});
+  }
+  return list;
+}
+
+Json foldsOf(const CheckedDocument& document) {
+  Json list = Json::array();
+  const auto add = [&](Span span, bool isBlock) {
+    if (!document.isHere(span) || span.length == 0) return;
+    std::string_view text = document.source().text(span);
+    while (!text.empty() && (text.back() == '\n' || text.back() == '\r' || text.back() == ' ')) text.remove_suffix(1);
+    const std::uint32_t first = document.place(span.offset).line;
+    std::uint32_t last = document.place(span.offset + static_cast<std::uint32_t>(text.size())).line;
+    // The last network reaches to the end of its block, whose last line is not the network's.
+    const std::size_t line = text.rfind('\n');
+    if (!isBlock && line != std::string_view::npos && text.substr(line + 1).starts_with("END_")) --last;
+    if (last > first) list.push_back({{"startLine", first}, {"endLine", last}});
+  };
+  for (const Pou& pou : document.program().pous) {
+    if (pou.isInstance) continue;
+    add(pou.span, true);
+    for (const Network& network : pou.networks) {
+      if (network.span.offset != pou.span.offset) add(network.span, false);
+    }
+  }
+  return list;
 }
 
 Json outlineOf(const CheckedDocument& document) {

@@ -9,6 +9,10 @@ namespace rungproof {
 Json definitionsAt(const CheckedDocument& document, ClientPlace place);
 /// All uses of the bits that are named there, or all calls and jumps. `withDeclaration`: the definition too.
 Json referencesAt(const CheckedDocument& document, ClientPlace place, bool withDeclaration);
+/// The uses in this document, each read or written.
+Json highlightsAt(const CheckedDocument& document, ClientPlace place);
+/// Blocks and networks of more than one line.
+Json foldsOf(const CheckedDocument& document);
 /// Blocks, in them networks with their titles, in them labels; symbols of a table.
 Json outlineOf(const CheckedDocument& document);
 /// Blocks, networks with a title, and symbols whose name contains the text in any case.

@@ -60,8 +60,9 @@ TEST(Extension, TheGrammarKnowsEveryPropertyWord) {
 TEST(Extension, EveryFileThatItNamesIsThere) {
   const Json package = partOf("package.json");
   std::vector<std::string> named = {textAt(package, "main")};
-  for (const char* place : {"contributes/languages/0/configuration", "contributes/languages/1/configuration",
-                            "contributes/grammars/0/path", "contributes/grammars/1/path"})
+  for (const char* place :
+       {"contributes/languages/0/configuration", "contributes/languages/1/configuration",
+        "contributes/languages/2/configuration", "contributes/grammars/0/path", "contributes/grammars/1/path"})
     named.push_back(textAt(package, place));
   for (const std::string& name : named) {
     ASSERT_FALSE(name.empty());

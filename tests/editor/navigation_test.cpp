@@ -42,6 +42,26 @@ TEST_F(NavigationTest, ReferencesAreReadersAndWriters) {
   EXPECT_EQ(references(1, 0, true), Ranges{});
 }
 
+TEST_F(NavigationTest, HighlightsTellReadersFromWriters) {
+  const auto highlights = [&](int line, int character) {
+    const Json list = session_.ask("textDocument/documentHighlight", line, character);
+    Ranges rows;
+    for (const Json& item : list.items()) rows.push_back(rangeText(at(item, "range")) + " " + numberAt(item, "kind"));
+    return rows;
+  };
+  EXPECT_EQ(highlights(6, 3), (Ranges{"6:2-6:6 3", "9:3-9:7 2"}));  // = Q0.0 and AN Q0.0
+  EXPECT_EQ(highlights(19, 4), (Ranges{"21:0-21:5 1", "19:4-19:5 1"}));
+  EXPECT_EQ(highlights(1, 0), Ranges{});
+}
+
+TEST_F(NavigationTest, BlocksAndNetworksFold) {
+  const Json folds =
+      at(session_.request("textDocument/foldingRange", {{"textDocument", Json{{"uri", untitled}}}}), "result");
+  Ranges rows;
+  for (const Json& fold : folds.items()) rows.push_back(numberAt(fold, "startLine") + "-" + numberAt(fold, "endLine"));
+  EXPECT_EQ(rows, (Ranges{"0-22", "2-6", "7-10", "11-16", "17-19", "20-21", "23-28", "25-27"}));
+}
+
 TEST_F(NavigationTest, OutlineHasBlocksNetworksAndLabels) {
   const Json outline =
       at(session_.request("textDocument/documentSymbol", {{"textDocument", Json{{"uri", untitled}}}}), "result");

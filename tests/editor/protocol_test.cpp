@@ -39,7 +39,7 @@ TEST(Protocol, AnswersNothingBeforeTheGreeting) {
 
 TEST(Protocol, RefusesWhatItDoesNotKnow) {
   EditorSession session;
-  EXPECT_EQ(errorOf(session.request("textDocument/rename", Json::object())), "-32601");
+  EXPECT_EQ(errorOf(session.request("textDocument/declaration", Json::object())), "-32601");
   session.notify("$/somethingNew", Json::object());
   EXPECT_EQ(errorOf(session.request("textDocument/hover", session.place(0, 0, "file:///nowhere"))), "-32602");
   session.open("x");

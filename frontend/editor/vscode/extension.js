@@ -14,9 +14,9 @@ async function start() {
     transport: TransportKind.stdio,
   };
   client = new LanguageClient('rungproof', 'rungproof', { run, debug: run }, {
-    documentSelector: [{ language: 's7-200-stl' }, { language: 'rungproof-properties' }],
+    documentSelector: ['s7-200-stl', 'iec-61131-3-st', 'rungproof-properties'].map((language) => ({ language })),
     synchronize: {
-      fileEvents: vscode.workspace.createFileSystemWatcher('**/{rungproof.toml,*.awl,*.stl,*.xml,*.prop,*.csv,*.sdf}'),
+      fileEvents: vscode.workspace.createFileSystemWatcher('**/{rungproof.toml,*.awl,*.stl,*.st,*.il,*.xml,*.prop,*.csv,*.sdf}'),
     },
   });
   try {

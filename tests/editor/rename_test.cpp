@@ -1,0 +1,98 @@
+// New names for symbols, local variables and labels: every place, and nothing else.
+#include "tests/editor/editor_session.hpp"
+
+namespace rungproof::test {
+namespace {
+
+using Rows = std::vector<std::string>;
+
+class Rename : public testing::Test {
+ protected:
+  void open(const std::string& text, const std::vector<std::string>& options = {}) {
+    session_ = std::make_unique<EditorSession>(options);
+    session_->open(text);
+  }
+  Json ask(int line, int character, const std::string& name) {
+    Json params = session_->place(line, character);
+    params["newName"] = name;
+    return session_->request("textDocument/rename", params);
+  }
+  /// Ranges of the edits of the document, all with the new name.
+  Rows edits(int line, int character, const std::string& name) {
+    const Json answer = ask(line, character, name);
+    Rows rows;
+    const Json changes = at(answer, "result/changes/" + untitled);
+    for (const Json& edit : changes.items()) {
+      rows.push_back(rangeText(at(edit, "range")));
+      EXPECT_EQ(textAt(edit, "newText"), name);
+    }
+    return rows;
+  }
+  std::string refusal(int line, int character, const std::string& name) {
+    return textAt(ask(line, character, name), "error/message");
+  }
+  std::unique_ptr<EditorSession> session_;
+};
+
+const std::string named =
+    "SYMBOL_TABLE\nStart,I0.0,Start button\nMotor,Q0.0,\nEND_SYMBOL_TABLE\nORGANIZATION_BLOCK MAIN:OB1\nBEGIN\n"
+    "Network 1 // Start\n//@ prove stop: never Start and Motor\nLD Start\nA StartUp\n= Motor\nJMP 3\nNetwork 2\nLBL 3\n"
+    "LD Start\nCALL SBR_0, Start\nEND_ORGANIZATION_BLOCK\nSUBROUTINE_BLOCK SBR_0:SBR0\nVAR_INPUT\nRun:BOOL;\nEND_VAR\n"
+    "BEGIN\nNetwork 1\nLD #Run\n= Q0.1\nJMP 3\nNetwork 2\nLBL 3\nEND_SUBROUTINE_BLOCK\n";
+
+// The comment in the table, the title and StartUp only look like the name.
+TEST_F(Rename, ASymbolAtItsRowItsUsesAndInProperties) {
+  open(named);
+  EXPECT_EQ(edits(8, 4, "Go"), (Rows{"1:0-1:5", "7:22-7:27", "8:3-8:8", "14:3-14:8", "15:12-15:17"}));
+  EXPECT_EQ(rangeText(at(session_->ask("textDocument/prepareRename", 8, 4), "range")), "8:3-8:8");
+}
+
+// Both blocks have a label 3; each is a name of its own block.
+TEST_F(Rename, LabelsAndLocalsWithinTheirBlock) {
+  open(named);
+  EXPECT_EQ(edits(11, 4, "17"), (Rows{"11:4-11:5", "13:4-13:5"}));
+  EXPECT_EQ(edits(23, 5, "On"), (Rows{"19:0-19:3", "23:4-23:7"}));
+}
+
+TEST_F(Rename, RefusesWhatWouldChangeTheProgram) {
+  open(named);
+  EXPECT_EQ(refusal(8, 4, "Motor"), "there is a symbol 'Motor' already");
+  EXPECT_EQ(refusal(8, 4, "2nd"), "'2nd' is no name: it has letters, digits and _, and begins with a letter");
+  EXPECT_EQ(refusal(8, 4, "I0.5"), "'I0.5' is no name: it has letters, digits and _, and begins with a letter");
+  EXPECT_EQ(refusal(8, 4, "VW10"), "'VW10' is an address");
+  EXPECT_EQ(refusal(11, 4, "256"), "'256' is no label: labels are numbers from 0 to 255");
+  EXPECT_EQ(refusal(11, 4, "3"), "the block has a label '3' already");
+  EXPECT_EQ(refusal(24, 3, "Lamp"), "nothing there has a name that can be changed");
+  EXPECT_EQ(refusal(8, 4, "Run"), "SBR_0 has a local variable 'Run' already");
+}
+
+TEST_F(Rename, MarksTellSymbolsFromLocalsInStep7Sources) {
+  open(
+      "FUNCTION FC 1 : VOID\nVAR_INPUT\n  In : BOOL;\nEND_VAR\nVAR_TEMP\n  Run : BOOL;\nEND_VAR\nBEGIN\nNETWORK\n"
+      "      A #In;\n      = #Run;\n      A #Run; // Run\n      JC M001;\n      = Q 4.0;\nM001: NOP 0;\nEND_FUNCTION\n"
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      CALL FC 1 ( In := I 0.0 );\nEND_ORGANIZATION_BLOCK\n",
+      {"--dialect", "s7-300"});
+  EXPECT_EQ(edits(10, 9, "On"), (Rows{"5:2-5:5", "10:9-10:12", "11:9-11:12"}));
+  EXPECT_EQ(edits(12, 10, "ende"), (Rows{"12:9-12:13", "14:0-14:4"}));
+  EXPECT_EQ(refusal(12, 10, "finish"),
+            "'finish' is no label: it has one to four letters and digits and begins with a letter");
+  EXPECT_EQ(refusal(9, 9, "On"), "'In' is a parameter or static data; calls and data blocks name it too");
+}
+
+// IN of the call is the timer's; Out.IN is a member.
+TEST_F(Rename, AVariableOfStructuredTextWithinItsBlock) {
+  open(
+      "PROGRAM P\nVAR IN, Late : BOOL; T1 : TON; END_VAR\nVAR_OUTPUT Lamp : BOOL; END_VAR\n"
+      "//@ prove on: P.IN implies Lamp or not T1.Q\nT1(IN := IN, PT := T#1s);\nLamp := in AND T1.Q;\nEND_PROGRAM\n"
+      "FUNCTION_BLOCK F\nVAR_INPUT Go : BOOL; END_VAR\nVAR Lamp2 : BOOL; END_VAR\nLamp2 := Go;\n"
+      "END_FUNCTION_BLOCK\n");
+  EXPECT_EQ(edits(1, 5, "Start"), (Rows{"3:16-3:18", "1:4-1:6", "4:9-4:11", "5:8-5:10"}));
+  EXPECT_EQ(edits(4, 0, "Delay"), (Rows{"3:39-3:41", "1:21-1:23", "4:0-4:2", "5:15-5:17"}));
+  EXPECT_EQ(refusal(1, 5, "Lamp"), "P uses the name 'Lamp' already");
+  EXPECT_EQ(refusal(1, 5, "THEN"), "'THEN' is no name: it has letters, digits and _, and begins with a letter");
+  EXPECT_EQ(refusal(10, 10, "Run"), "'Go' is declared in VAR_INPUT: other blocks name it too");
+  EXPECT_EQ(refusal(4, 4, "Run"), "nothing there has a name that can be changed");
+}
+
+}  // namespace
+}  // namespace rungproof::test
