@@ -24,9 +24,10 @@ extern constexpr Command lspCommand = {
     .details =
         "Reads and writes messages of the Language Server Protocol 3.17 on standard input and output. Findings are\n"
         "those of 'rungproof lint' with the configuration nearest to each document; options given here count for all.\n"
-        "Offers: diagnostics on open, change and save; hover; definition; references; outline; workspace symbols;\n"
-        "completion; fixes and suppressions as code actions; 'prove this property' as a code lens; the picture of a\n"
-        "network (command rungproof.show, request rungproof/network).\n"
+        "Offers: diagnostics on open, change and save; hover; definition; references; highlights; outline; workspace\n"
+        "symbols; completion; rename; formatting; folding; colours by meaning; the symbol beside an address and the\n"
+        "seconds beside a preset; fixes and suppressions as code actions; 'prove this property' as a code lens; the\n"
+        "picture of a network (command rungproof.show, request rungproof/network).\n"
         "\n"
         "Examples:\n"
         "    rungproof lsp\n"
