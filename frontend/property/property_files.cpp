@@ -6,6 +6,7 @@
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/encoding.hpp"
 #include "frontend/property/goal_names.hpp"
+#include "frontend/property/property_meant.hpp"
 #include "frontend/property/property_message.hpp"
 
 namespace rungproof {
@@ -44,10 +45,11 @@ PropertySet readProperties(Program& program, const std::vector<std::string>& fil
                            const std::filesystem::path& root) {
   PropertySet set;
   GoalNames names;
+  const std::size_t before = program.findings.size();
   for (const Directive& directive : program.directives) {
     // The comment's sign stands before the statement.
-    const std::size_t before = program.sources->text(directive.span).find(directive.text);
-    const std::size_t begin = directive.span.offset + (before == std::string_view::npos ? 0 : before);
+    const std::size_t sign = program.sources->text(directive.span).find(directive.text);
+    const std::size_t begin = directive.span.offset + (sign == std::string_view::npos ? 0 : sign);
     readPropertyText(directive.span.file, directive.text, static_cast<std::uint32_t>(begin), lookup, set,
                      program.findings, &program.target, names);
   }
@@ -68,6 +70,7 @@ PropertySet readProperties(Program& program, const std::vector<std::string>& fil
              "write for example: prove no_shoot_through: never Q0.0 and Q0.1");
     readPropertyText(file, text, 0, lookup, set, program.findings, &program.target, names);
   }
+  suggestMeant(program, before);
   return set;
 }
 
