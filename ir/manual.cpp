@@ -161,4 +161,32 @@ std::string manualPlace(std::string_view reference) {
   return fmt::format("{} ({})", place, reference);
 }
 
+std::string withManualTitles(std::string_view text) {
+  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  const auto isWordByte = [&](char c) {
+    return isDigit(c) || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || (c & 0x80) != 0;
+  };
+  std::string result, before;  // `before`: the place that stands in front, which a second reference need not repeat
+  for (std::size_t i = 0; i < text.size();) {
+    const bool isReference = text.size() - i > 4 && text[i] == '0' && isDigit(text[i + 1]) && isDigit(text[i + 2]) &&
+                             text[i + 3] == ':' && isDigit(text[i + 4]) && (i == 0 || !isWordByte(text[i - 1]));
+    if (!isReference) {
+      result += text[i++];
+      continue;
+    }
+    std::size_t end = i + 4;
+    while (end < text.size() &&
+           (isDigit(text[end]) || (text[end] == '-' && end + 1 < text.size() && isDigit(text[end + 1]))))
+      ++end;
+    std::string place = manualPlace(text.substr(i, end - i));
+    place = place.substr(0, place.rfind(" ("));
+    const bool isInList = !before.empty() && result.ends_with(before + ", ");
+    if (isInList) result.resize(result.size() - 2);
+    if (!isInList || place != before) result += (isInList ? "; " : "") + place;
+    before = std::move(place);
+    i = end;
+  }
+  return result;
+}
+
 }  // namespace rungproof

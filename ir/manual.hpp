@@ -12,4 +12,8 @@ namespace rungproof {
 /// first line. A text that begins with no reference stays as it is.
 std::string manualPlace(std::string_view reference);
 
+/// "001:1719-1750" in a text as "System Manual 2004, chapter 4, PLC concepts": title and chapter, which a reader can
+/// open.
+std::string withManualTitles(std::string_view text);
+
 }  // namespace rungproof

@@ -104,31 +104,6 @@ std::string AddressNames::markedStatement(std::string_view text) const {
   return xmlText(text.substr(0, colon + 1)) + marked(text.substr(colon + 1), true);
 }
 
-std::string withManualTitles(std::string_view text) {
-  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
-  std::string result, before;  // `before`: the place that stands in front, which a second reference need not repeat
-  for (std::size_t i = 0; i < text.size();) {
-    const bool isReference = text.size() - i > 4 && text[i] == '0' && isDigit(text[i + 1]) && isDigit(text[i + 2]) &&
-                             text[i + 3] == ':' && isDigit(text[i + 4]) && (i == 0 || !isWordByte(text[i - 1]));
-    if (!isReference) {
-      result += text[i++];
-      continue;
-    }
-    std::size_t end = i + 4;
-    while (end < text.size() &&
-           (isDigit(text[end]) || (text[end] == '-' && end + 1 < text.size() && isDigit(text[end + 1]))))
-      ++end;
-    std::string place = manualPlace(text.substr(i, end - i));
-    place = place.substr(0, place.rfind(" ("));
-    const bool isInList = !before.empty() && result.ends_with(before + ", ");
-    if (isInList) result.resize(result.size() - 2);
-    if (!isInList || place != before) result += (isInList ? "; " : "") + place;
-    before = std::move(place);
-    i = end;
-  }
-  return result;
-}
-
 std::string dataLink(std::string_view mediaType, std::string_view text) {
   return fmt::format("data:{};base64,{}", mediaType, base64(text));
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "frontend/acceptance_record.hpp"
+#include "ir/manual.hpp"
 
 namespace rungproof {
 
@@ -42,10 +43,6 @@ class AddressNames {
   std::map<std::string, std::string, std::less<>> symbolOf_;   ///< by address
   std::map<std::string, std::string, std::less<>> addressOf_;  ///< by symbol, in capitals
 };
-
-/// "001:1719-1750" in a text as "System Manual 2004, chapter 4, PLC concepts": title and chapter, which a reader can
-/// open.
-std::string withManualTitles(std::string_view text);
 
 /// A link that holds the text itself: it works wherever the page has been copied to.
 std::string dataLink(std::string_view mediaType, std::string_view text);

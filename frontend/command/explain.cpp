@@ -7,6 +7,7 @@
 #include "frontend/explain/address_page.hpp"
 #include "frontend/explain/idea_page.hpp"
 #include "frontend/explain/instruction_page.hpp"
+#include "frontend/explain/manual_page.hpp"
 #include "frontend/explain/rule_page.hpp"
 #include "frontend/explain/step7_address_page.hpp"
 #include "frontend/explain/step7_page.hpp"
@@ -204,6 +205,7 @@ std::optional<Page> pageOf(const std::string& word, const Settings& settings, co
     if (auto page = familyPage(upper, settings, paint)) return page;
     if (auto page = step7AddressPage(target, upper, paint)) return Page{page->text, page->json};
   }
+  if (auto page = manualPage(word, paint)) return Page{page->text, page->json};
   if (word == "hazards") return hazardsPage(paint);
   if (word == "choices") return choicesPage(paint, settings);
   if (upper == "SM") return specialMemoryPage(settings.target(), paint);
@@ -250,7 +252,7 @@ Failure unknown(const std::string& word) {
       {},
       meant.empty()
           ? "give a rule (ADR001), a group (ADR), an instruction (TON), an address (T37), a verdict or method ('one "
-            "scan'), a run-time error (0006), 'hazards' or 'choices'"
+            "scan'), a run-time error (0006), a place of the manual (001:4814), 'hazards' or 'choices'"
           : fmt::format("did you mean '{}'?", meant)};
 }
 
@@ -259,7 +261,7 @@ Action setup(ArgumentTable& table) {
   table.argument(
       "CODE", *word,
       "rule (ADR001), group (ADR), instruction (TON), address (T37), verdict or method ('one scan'), run-time "
-      "error (0006), 'hazards' or 'choices'");
+      "error (0006), place of the manual (001:4814), 'hazards' or 'choices'");
   return [word](Context& context) {
     Exit exit = Exit::Clean;
     for (const OutputRequest& output : context.outputs) {

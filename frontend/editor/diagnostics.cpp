@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "analysis/rule.hpp"
+#include "ir/manual.hpp"
 
 namespace rungproof {
 
@@ -15,7 +16,7 @@ std::string messageOf(const Finding& finding) {
   std::string message = finding.message;
   if (finding.confirmation == Confirmation::Unconfirmed) message += " (unconfirmed)";
   if (!finding.help.empty()) message += fmt::format("\n{}", finding.help);
-  return message;
+  return withManualTitles(message);
 }
 
 }  // namespace
@@ -34,7 +35,7 @@ Json diagnosticOf(const CheckedDocument& document, const Finding& finding) {
   if (rule != nullptr && rule->surplus) json["tags"].push_back(unnecessaryTag);
   for (const RelatedPlace& related : finding.related)
     json["relatedInformation"].push_back(
-        {{"location", document.location(related.span)}, {"message", related.message.view()}});
+        {{"location", document.location(related.span)}, {"message", withManualTitles(related.message)}});
   return json;
 }
 

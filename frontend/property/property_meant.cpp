@@ -15,17 +15,17 @@ namespace rungproof {
 namespace {
 
 /// Signs of C, of TIA and of formal logic.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 11> signs = {{{"&&", "and"},
-                                                                                  {"&", "and"},
-                                                                                  {"||", "or"},
-                                                                                  {"|", "or"},
-                                                                                  {"^", "xor"},
-                                                                                  {"!", "not"},
-                                                                                  {"~", "not"},
-                                                                                  {"->", "implies"},
-                                                                                  {"=>", "implies"},
-                                                                                  {"!=", "<>"},
-                                                                                  {"/=", "<>"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> foreignSigns = {{{"&&", "and"},
+                                                                                         {"&", "and"},
+                                                                                         {"||", "or"},
+                                                                                         {"|", "or"},
+                                                                                         {"^", "xor"},
+                                                                                         {"!", "not"},
+                                                                                         {"~", "not"},
+                                                                                         {"->", "implies"},
+                                                                                         {"=>", "implies"},
+                                                                                         {"!=", "<>"},
+                                                                                         {"/=", "<>"}}};
 
 std::string meantName(const Program& program, std::string_view written) {
   if (const std::string mended = mendedOperand(written, Spelling::International, false); !mended.empty()) return mended;
@@ -37,7 +37,7 @@ std::string meantName(const Program& program, std::string_view written) {
 }
 
 /// With a blank where the sign touches its neighbours.
-std::string wordFor(std::string_view word, std::string_view text, std::size_t begin, std::size_t end) {
+std::string wordWithBlanks(std::string_view word, std::string_view text, std::size_t begin, std::size_t end) {
   const auto isBlank = [&](std::size_t at) { return at >= text.size() || text[at] == ' ' || text[at] == '\t'; };
   return fmt::format("{}{}{}", begin == 0 || isBlank(begin - 1) || text[begin - 1] == '(' ? "" : " ", word,
                      isBlank(end) ? "" : " ");
@@ -51,11 +51,11 @@ void suggestMeant(Program& program, std::size_t first) {
     if (finding.fix || finding.span.length == 0) continue;
     const SourceFile& file = program.sources->file(finding.span.file);
     const std::string_view written = file.text(finding.span);
-    const auto sign = std::ranges::find(signs, written, &decltype(signs)::value_type::first);
+    const auto sign = std::ranges::find(foreignSigns, written, &decltype(foreignSigns)::value_type::first);
     std::string meant, replacement;
-    if (finding.rule == propertyMessages[0].id && sign != signs.end()) {
+    if (finding.rule == propertyMessages[0].id && sign != foreignSigns.end()) {
       meant = sign->second;
-      replacement = wordFor(meant, file.text(), finding.span.offset, finding.span.offset + finding.span.length);
+      replacement = wordWithBlanks(meant, file.text(), finding.span.offset, finding.span.offset + finding.span.length);
     } else if (finding.rule == propertyMessages[1].id && !finding.help.view().starts_with("write ")) {
       replacement = meant = meantName(program, written);
     }

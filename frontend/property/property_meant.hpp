@@ -6,8 +6,8 @@
 
 namespace rungproof {
 
-/// Gives findings of the property reader, from number `first` of program.findings on, the help "did you mean ...?" and a
-/// fix that is not safe, where one reading suggests itself.
+/// Gives findings of the property reader, from number `first` of program.findings on, the help "did you mean ...?" and
+/// a fix that is not safe, where one reading suggests itself.
 void suggestMeant(Program& program, std::size_t first);
 
 }  // namespace rungproof

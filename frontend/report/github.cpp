@@ -5,6 +5,7 @@
 
 #include "frontend/report_basis.hpp"
 #include "frontend/text/safe_text.hpp"
+#include "ir/manual.hpp"
 
 namespace rungproof {
 
@@ -21,7 +22,7 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
     const Position end = file.position(finding.span.offset + finding.span.length);
     out << fmt::format("::{} file={},line={},endLine={},col={},title={}::{}{}\n", levelName(finding.severity),
                        workflowText(file.name(), true), begin.line, end.line, begin.column,
-                       workflowText(finding.rule, true), workflowText(finding.message, false),
+                       workflowText(finding.rule, true), workflowText(withManualTitles(finding.message), false),
                        finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)" : "");
   }
   for (const PropertyResult& property : report.properties) {

@@ -11,6 +11,7 @@
 #include "frontend/report_basis.hpp"
 #include "frontend/test_results.hpp"
 #include "frontend/testing/test_output.hpp"
+#include "ir/manual.hpp"
 
 namespace rungproof {
 
@@ -45,7 +46,7 @@ class IssueList {
 
   void addFinding(const Finding& finding) {
     const bool isOpen = finding.confirmation == Confirmation::Unconfirmed;
-    Issue issue{std::string(finding.rule), std::string(finding.message.view()) + (isOpen ? " (unconfirmed)" : ""),
+    Issue issue{std::string(finding.rule), withManualTitles(finding.message) + (isOpen ? " (unconfirmed)" : ""),
                 isOpen ? "info" : gitlabSeverity(finding.severity)};
     setPlace(issue, finding.span);
     add(std::move(issue), fingerprintOf(finding, *report_.sources));

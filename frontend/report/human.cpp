@@ -10,6 +10,7 @@
 #include "frontend/testing/test_output.hpp"
 #include "frontend/text/excerpt.hpp"
 #include "frontend/text/safe_text.hpp"
+#include "ir/manual.hpp"
 
 namespace rungproof {
 
@@ -22,6 +23,9 @@ Painter painterOf(Severity severity) {
 }
 
 int digits(std::uint32_t number) { return static_cast<int>(std::to_string(number).size()); }
+
+/// As messageText(), with places of the manual by their titles.
+std::string manualText(std::string_view text) { return messageText(withManualTitles(text)); }
 
 class HumanWriter {
  public:
@@ -80,7 +84,7 @@ class HumanWriter {
     head.append("[").append(finding.rule.view()).append("]");
     paint(text, painter, head);
     text += ": ";
-    paint(text, &Paint::bold, messageText(finding.message));
+    paint(text, &Paint::bold, manualText(finding.message));
     text += finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)\n" : "\n";
     std::vector<Position> places;
     for (const RelatedPlace& related : finding.related)
@@ -96,7 +100,7 @@ class HumanWriter {
       const RelatedPlace& related = finding.related[i];
       if (!hasPlace(related.span)) continue;
       paint(text, &Paint::cyan, "note");
-      text.append(": ").append(messageText(related.message)).append("\n");
+      text.append(": ").append(manualText(related.message)).append("\n");
       addPlace(text, related.span, places[i], gutter, "", '-', &Paint::blue);
     }
     const auto remark = [&](std::string_view what) -> std::string& {
@@ -104,7 +108,7 @@ class HumanWriter {
       paint(text, &Paint::blue, "=");
       return text.append(" ").append(what);
     };
-    if (!finding.help.empty()) remark("help: ").append(messageText(finding.help)).append("\n");
+    if (!finding.help.empty()) remark("help: ").append(manualText(finding.help)).append("\n");
     if (finding.fix) {
       remark("fix").append(finding.fix->safe ? "" : " (unsafe, with --unsafe-fixes)").append(": ");
       if (finding.fix->replacement.empty())
@@ -137,7 +141,7 @@ class HumanWriter {
       writePlace(*property.span, digits(report_.sources->position(*property.span).line), "", '^', painter);
     }
     for (const std::string& remark : remarksOf(property))
-      out_ << fmt::format("  {} {}\n", paint_.blue("="), messageText(remark));
+      out_ << fmt::format("  {} {}\n", paint_.blue("="), manualText(remark));
     if (!property.trace.empty()) out_ << fmt::format("  {} trace: {}\n", paint_.blue("="), messageText(property.trace));
     for (const ShownScan& scan : property.scans) writeScan(scan);
     if (!property.scans.empty() && !property.scans.back().networks.empty() &&
