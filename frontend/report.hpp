@@ -135,6 +135,11 @@ struct ExitReason {
   std::string text{};
 };
 
+/// One of several runs that share the questions (--shard 2/4).
+struct ReportPart {
+  std::uint32_t part = 1, of = 1;
+};
+
 struct TestReport;  // of test tables; frontend/test_results.hpp
 
 struct Report {
@@ -156,6 +161,7 @@ struct Report {
   std::size_t suppressed = 0;                 ///< findings that an allow-comment silenced
   std::size_t baselined = 0;                  ///< findings that the baseline lists
   std::vector<ProgramRecord> programs{};      ///< for a page that is signed
+  std::optional<ReportPart> part{};           ///< nothing: all of it
   std::vector<Finding> lintFindings{};        ///< for such a page too; no say in the exit code
 };
 

@@ -43,6 +43,7 @@ struct Arguments {
   std::string certificates;
   std::string traces;
   std::string show;
+  std::string shard;
 };
 
 constexpr double secondsForUndecided = 4;  ///< of the self-check, for a fault that a quick look leaves open
@@ -262,6 +263,21 @@ void proveInto(Report& part, const Context& context, const Settings& settings, c
   }
 }
 
+/// "2/4" of --shard.
+std::optional<ReportPart> partNamed(const std::string& text) {
+  ReportPart part{0, 0};
+  int end = 0;
+  const bool isRead = std::sscanf(text.c_str(), "%5u/%5u%n", &part.part, &part.of, &end) == 2;
+  const bool isGood = isRead && static_cast<std::size_t>(end) == text.size() && part.part >= 1 && part.part <= part.of;
+  return isGood && part.of <= 10000 ? std::optional(part) : std::nullopt;
+}
+
+/// Leaves the properties of the other parts out. `count`: properties met so far, over all programs.
+void keepPart(const ReportPart& part, PropertySet& set, std::size_t& count) {
+  std::erase_if(set.properties,
+                [&](const Property& property) { return property.isGoal() && count++ % part.of != part.part - 1; });
+}
+
 /// Whether another run with more time could say more.
 bool isFinal(const Report& report) {
   return !interrupted && report.defects.empty() &&
@@ -271,7 +287,14 @@ bool isFinal(const Report& report) {
 }
 
 /// `isSettled` becomes whether the result is final.
-Exit runAnew(const Arguments& arguments, Context& context, bool& isSettled) {
+Exit runAnew(const Arguments& given, Context& context, bool& isSettled) {
+  Arguments arguments = given;
+  const std::optional<ReportPart> whichPart = partNamed(given.shard);
+  if (!given.shard.empty() && !whichPart)
+    return context.fail(
+        {fmt::format("'{}' is no value for --shard", given.shard), {}, "write the part and their number, such as 2/4"});
+  if (whichPart && whichPart->part > 1) arguments.builtin = arguments.selfCheck = false;
+  std::size_t count = 0;
   ReportMerger merger;
   EvidenceNames names;
   std::set<std::string> met;
@@ -283,6 +306,8 @@ Exit runAnew(const Arguments& arguments, Context& context, bool& isSettled) {
     std::vector<std::string> leftOut = arguments.asDownloaded ? leaveOut(input.program) : std::vector<std::string>();
     met.merge(keepOnly(arguments.only, input.properties));
     leaveOutIdleBlocks(input.program, input.properties);
+    const bool declaresGoals = std::ranges::any_of(input.properties.properties, &Property::isGoal);
+    if (whichPart) keepPart(*whichPart, input.properties, count);
     Report part = startReport("prove", input.program, files);
     part.coverage.leftOut = std::move(leftOut);
     std::erase_if(part.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
@@ -307,7 +332,7 @@ Exit runAnew(const Arguments& arguments, Context& context, bool& isSettled) {
     if (hasMain && part.properties.empty() && !arguments.builtin &&
         std::ranges::any_of(part.findings, isOfProperties)) {
       context.err << "rungproof: no property could be read; the errors say which lines are meant\n";
-    } else if (hasMain && part.properties.empty() && !arguments.builtin) {
+    } else if (hasMain && part.properties.empty() && !arguments.builtin && !(whichPart && declaresGoals)) {
       context.err << fmt::format(
           "rungproof: no property is declared in {}; see 'rungproof prove --help', or give --builtin\n", files.front());
     }
@@ -327,7 +352,10 @@ Exit runAnew(const Arguments& arguments, Context& context, bool& isSettled) {
   }
   Report report = merger.take();
   report.reasons.insert(report.reasons.end(), unmet.begin(), unmet.end());
-  if (report.properties.empty() && report.reasons.empty())
+  report.part = whichPart;
+  // Another part has them.
+  const bool isEmptyPart = whichPart && count > 0;
+  if (report.properties.empty() && report.reasons.empty() && !isEmptyPart)
     report.reasons.push_back({Exit::Failed, "nothing was checked"});
   isSettled = isFinal(report);
   return finish(context, std::move(report));
@@ -335,7 +363,7 @@ Exit runAnew(const Arguments& arguments, Context& context, bool& isSettled) {
 
 /// Everything that was asked for, in words.
 std::string questionOf(const Arguments& arguments, const Context& context) {
-  std::vector<std::string> parts = {"prove", arguments.show};
+  std::vector<std::string> parts = {"prove", arguments.show, arguments.shard};
   for (const bool flag : {arguments.asDownloaded, arguments.builtin, arguments.selfCheck, context.color})
     parts.push_back(flag ? "1" : "0");
   for (const std::vector<std::string>* list :
@@ -381,6 +409,9 @@ Action setup(ArgumentTable& table) {
   table.option("--traces", arguments->traces, "DIR", "write each witness as CSV (also a stimulus), VCD and SVG");
   table.word("--show", arguments->show, {"ladder", "lad", "fbd", "stl"}, "ladder|fbd|stl",
              "draw the networks that matter, with the power flow of the last 3 scans of each witness");
+  table.option("--shard", arguments->shard, "K/N",
+               "prove every N-th property, from the K-th on, for N machines; part 1 has the built-in checks and the "
+               "self-check; 'rungproof merge' joins the reports");
   table.flag(watchOption, arguments->watch, watchHelp);
   return [arguments](Context& context) { return run(*arguments, context); };
 }

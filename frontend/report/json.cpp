@@ -142,6 +142,8 @@ void write(const Report& report, const ReportStyle& style, std::ostream& out) {
     row["assumptions"] = std::move(all);
     json["properties"].push_back(std::move(row));
   }
+  if (report.part)
+    json["shard"] = {{"part", report.part->part}, {"of", report.part->of}, {"exit", static_cast<int>(exitOf(report))}};
   if (report.selfCheck) json["self_check"] = selfCheckJson(*report.selfCheck);
   if (style.verbose && report.techniques) json["techniques"] = techniquesJson(*report.techniques);
   if (report.tests != nullptr) {

@@ -56,10 +56,18 @@ class JunitWriter {
     writeComparison();
     if (report_.tests != nullptr) writeTests(*report_.tests);
     if (report_.properties.empty() && !report_.comparison) writeBasis();
+    if (report_.part) writePart(*report_.part);
     setCounts(root_, tests_, failures_, 0);
   }
 
  private:
+  void writePart(const ReportPart& part) {
+    pugi::xml_node mark = root_.child("testsuite").prepend_child("properties").append_child("property");
+    mark.append_attribute("name") = "shard";
+    mark.append_attribute("value") =
+        fmt::format("{}/{} exit {}", part.part, part.of, static_cast<int>(exitOf(report_))).c_str();
+  }
+
   /// A file without findings is one passed case, so that it does not vanish from the statistics.
   void writeFile(std::uint32_t file) {
     const std::string& name = report_.sources->file(file).name();

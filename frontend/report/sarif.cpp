@@ -159,7 +159,10 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
   Json run = {{"tool", {{"driver", {{"name", "rungproof"}, {"semanticVersion", programVersion()}, {"rules", rules}}}}},
               {"columnKind", "unicodeCodePoints"},
               {"results", Json::array()}};
-  if (const std::vector<std::string> basis = basisOf(report); !basis.empty()) run["properties"] = {{"basis", basis}};
+  if (const std::vector<std::string> basis = basisOf(report); !basis.empty()) run["properties"]["basis"] = basis;
+  if (report.part)
+    run["properties"]["shard"] = {
+        {"part", report.part->part}, {"of", report.part->of}, {"exit", static_cast<int>(exitOf(report))}};
   const Json log = {
       {"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"version", "2.1.0"}, {"runs", Json::array({run})}};
   writeWithItems(out, log, "results", 6, findings + report.properties.size(), resultAt);
