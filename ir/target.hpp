@@ -29,7 +29,7 @@ struct Target {
   constexpr Target(Cpu theCpu, Edition theEdition) : cpu(theCpu), edition(theEdition) {}
 };
 
-/// "221" ... "ST60", in any case of letters, or nothing.
+/// "221" ... "ST60", in any case of letters and with "CPU" before it ("CPU 224"), or nothing.
 std::optional<Cpu> cpuNamed(std::string_view name);
 std::string_view cpuName(Cpu cpu);
 /// "2003", "2004", "smart-2.7", "smart-2.8", as --edition takes it.
