@@ -9,6 +9,13 @@
 
 namespace rungproof {
 
+namespace {
+
+/// An S7-200 tells of full queues in SM4.0 to SM4.2, and of forced values in SM4.7.
+bool hasQueueBits(const Plan& plan) { return !plan.isStep7() && !plan.isIec(); }
+
+}  // namespace
+
 /// Of the scan that has ended: whether those to come are calm until the reference engine runs again.
 bool Simulator::becomesCalm() const {
   if (outside_ != nullptr || hasFineTimers_ || touchesQueueBits_ || !isRunning()) return false;
@@ -28,7 +35,7 @@ bool Simulator::becomesCalm() const {
 bool Simulator::staysCalm(const ScanRequest& request, std::uint32_t lengthUs) const {
   return isCalm_ && request.script == nullptr && request.events.empty() && observer_ == nullptr && forced_.empty() &&
          isRunning() && scanCount_ > referenceUntil_ && devices_.ports.areIdle(store_) &&
-         (plan_.isStep7() || (store_.area(Area::SM)[4] & 7U) == 0) &&
+         (!hasQueueBits(plan_) || (store_.area(Area::SM)[4] & 7U) == 0) &&
          static_cast<std::uint64_t>(lengthUs) * Cost::perUs <= longestCalm_;
 }
 
@@ -52,10 +59,8 @@ void Simulator::endCalmly(std::uint32_t lengthUs) {
   endScanOfTimers(machine_, scanTicks_);
   refreshSpecialMemory(machine_, lastScanUs_ / 1000);
   starts_.scanEnded(lastScanUs_ / 1000);
-  if (plan_.isStep7())
-    std::ranges::fill(store_.area(Area::L), std::uint8_t{0});  // computed addresses lead there too
-  else
-    store_.area(Area::SM)[4] &= 0x7F;
+  if (plan_.isStep7()) std::ranges::fill(store_.area(Area::L), std::uint8_t{0});  // computed addresses lead there too
+  if (hasQueueBits(plan_)) store_.area(Area::SM)[4] &= 0x7F;
   const auto& image = store_.area(Area::Q);
   std::copy_n(image.begin(), machine_.terminals() / 8, store_.terminals(Reg::PhysicalOutput).begin());
 }

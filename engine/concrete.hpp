@@ -177,6 +177,12 @@ class Concrete {
   /// REAL to a signed 64-bit number; values beyond its range saturate. round: halves away from zero.
   Bits rtoInt(Bits a, bool round) const;
 
+  /// Every NaN has the one pattern 16#7FF8000000000000.
+  static Bits longPattern(double a) { return std::isnan(a) ? 0x7FF8000000000000U : std::bit_cast<std::uint64_t>(a); }
+  static double longReal(Bits a) { return std::bit_cast<double>(a); }
+  Bits longReal(std::uint64_t which, Bits a, Bits b, int width) const;
+  Bits longReal(std::uint64_t which, Bits a, int width) const { return longReal(which, a, 0, width); }
+
   Bits external(const ExternalSite& site, int width) { return outside_->external(site, width) & mask(width); }
   void report(Hazard hazard, bool, const Instruction* place) { outside_->report(hazard, place); }
   void signal(Signal which, std::uint32_t index, bool guard) {

@@ -260,15 +260,17 @@ double numberOf(std::uint64_t value, SignalType type, int width) {
     case SignalType::Unsigned: return static_cast<double>(value & Concrete::mask(width));
     case SignalType::Signed: return static_cast<double>(Concrete::toSigned(value, width));
     case SignalType::Real:
-    case SignalType::Number: return Concrete::real(value);
+    case SignalType::Number: return width == 64 ? Concrete::longReal(value) : Concrete::real(value);
   }
   return 0;
 }
 
 std::uint64_t valueOf(double number, SignalType type, int width) {
-  if (type == SignalType::Real || type == SignalType::Number) return Concrete::pattern(static_cast<float>(number));
+  if (type == SignalType::Real || type == SignalType::Number)
+    return width == 64 ? Concrete::longPattern(number) : Concrete::pattern(static_cast<float>(number));
   if (type == SignalType::Bool) return number != 0 ? 1 : 0;
-  if (!(std::abs(number) < 9e18)) return 0;
+  if (type == SignalType::Unsigned && number >= 0x1p63 && number < 0x1p64) return static_cast<std::uint64_t>(number);
+  if (!(std::abs(number) < 0x1p63)) return 0;
   return static_cast<std::uint64_t>(static_cast<std::int64_t>(number)) & Concrete::mask(width);
 }
 
@@ -281,8 +283,10 @@ std::string numberText(double number, SignalType type) {
 void appendNumber(double number, SignalType type, std::string& text) {
   constexpr double mostDigits = 1e15;  // all integers up to here are exact, and written without an exponent
   const bool isInteger = std::abs(number) < mostDigits && std::trunc(number) == number && !std::signbit(number);
-  if (type == SignalType::Real) {
-    fmt::format_to(std::back_inserter(text), "{}", static_cast<float>(number));
+  const float asReal = static_cast<float>(number);
+  const bool isLong = !std::isnan(number) && static_cast<double>(asReal) != number;  // an LREAL that no REAL is
+  if (type == SignalType::Real && !isLong) {
+    fmt::format_to(std::back_inserter(text), "{}", asReal);
   } else if (isInteger) {
     const fmt::format_int digits(static_cast<std::int64_t>(number));
     text.append(digits.data(), digits.size());

@@ -16,10 +16,19 @@ namespace rungproof {
 enum class Area : std::uint8_t { I, Q, AI, AQ, V, M, S, SM, L, T, C, AC, HC, DB, PI, PQ };
 inline constexpr int areaCount = 16;
 
-/// Access width. Word accesses to T, C, AI, AQ and double word accesses to HC are the only ones there.
-enum class Width : std::uint8_t { Bit, Byte, Word, DWord };
-constexpr int bits(Width w) { return w == Width::Bit ? 1 : w == Width::Byte ? 8 : w == Width::Word ? 16 : 32; }
-constexpr int bytes(Width w) { return w == Width::DWord ? 4 : w == Width::Word ? 2 : 1; }
+/// Access width. Word accesses to T, C, AI, AQ and double word accesses to HC are the only ones there; only variables
+/// of IEC 61131-3 are 64 bits wide.
+enum class Width : std::uint8_t { Bit, Byte, Word, DWord, LWord };
+constexpr int bits(Width w) { return w == Width::Bit ? 1 : 4 << static_cast<int>(w); }
+constexpr int bytes(Width w) { return w == Width::Bit ? 1 : bits(w) / 8; }
+/// The width that holds 1, 8, 16, 32 or 64 bits.
+constexpr Width widthOfBits(int bits) {
+  return bits == 1    ? Width::Bit
+         : bits == 8  ? Width::Byte
+         : bits == 16 ? Width::Word
+         : bits == 32 ? Width::DWord
+                      : Width::LWord;
+}
 
 /// What an area is for.
 enum class AreaUse : std::uint8_t {

@@ -5,7 +5,8 @@
 // Laws (tests/differential/domain_laws_test.cpp compares every instance with Concrete):
 //   values of width w lie in 0 .. 2^w - 1; add, sub, mul wrap; sdiv truncates toward zero and srem has the
 //   dividend's sign; the divisor 0 may give anything, callers guard it; shifts by w or more give 0;
-//   real operations take and give IEEE 754 single patterns in 32 bits, round to nearest even.
+//   real operations take and give IEEE 754 single patterns in 32 bits, round to nearest even; those of LREAL double
+//   patterns in 64 bits.
 #pragma once
 
 #include <concepts>
@@ -63,9 +64,44 @@ concept Domain = requires(D d, typename D::Bool p, typename D::Bits v, int w, st
   { d.rlegal(v) } -> std::same_as<typename D::Bool>;        ///< neither NaN nor infinite
   { d.rfromInt(v) } -> std::same_as<typename D::Bits>;      ///< signed 32-bit to REAL
   { d.rtoInt(v, true) } -> std::same_as<typename D::Bits>;  ///< REAL to signed 64-bit; true: round, false: truncate
+  // LREAL numbers as 64-bit patterns.
+  { d.longReal(n, v, v, w) } -> std::same_as<typename D::Bits>;  ///< LongRealOperation as number; width of the result
+  { d.longReal(n, v, w) } -> std::same_as<typename D::Bits>;     ///< of one number
 };
 
 /// Functions of section "numeric functions" (001:4938-4995).
 enum class RealFunction : std::uint64_t { Sqrt, Sin, Cos, Tan, Ln, Exp, ArcSin, ArcCos, ArcTan };
+
+/// Operations whose numbers are LREAL where nothing else is said. Comparisons need none: the order of the patterns
+/// tells.
+enum class LongRealOperation : std::uint64_t {
+  Add,
+  Sub,
+  Mul,
+  Div,
+  Power,
+  ArcTan2,
+  Sqrt,
+  Sin,
+  Cos,
+  Tan,
+  Ln,
+  Log,
+  Exp,
+  ArcSin,
+  ArcCos,
+  ArcTan,
+  Truncate,   ///< to a whole number, as an LREAL
+  RoundEven,  ///< halves to the even number
+  RoundAway,  ///< halves away from zero
+  Floor,
+  Ceil,
+  FromReal,      ///< of a REAL
+  ToReal,        ///< gives a REAL
+  FromSigned,    ///< of a signed number of 64 bits; gives an LREAL or a REAL
+  FromUnsigned,  ///< of an unsigned one
+  ToSigned,      ///< of a whole number; what does not fit saturates
+  ToUnsigned
+};
 
 }  // namespace rungproof

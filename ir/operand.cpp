@@ -9,7 +9,7 @@ namespace rungproof {
 
 std::string addressName(Area area, Width width, std::uint32_t offset, unsigned bit) {
   if (area == Area::DB) {
-    static constexpr std::string_view letters[] = {"X", "B", "W", "D"};
+    static constexpr std::string_view letters[] = {"X", "B", "W", "D", "L"};
     const std::string place =
         fmt::format("DB{}.DB{}{}", offset >> 16, letters[static_cast<int>(width)], offset & 0xFFFF);
     return width == Width::Bit ? fmt::format("{}.{}", place, bit) : place;
@@ -18,7 +18,7 @@ std::string addressName(Area area, Width width, std::uint32_t offset, unsigned b
   std::string name(areaName(area));
   if (addressedByNumber(area)) return name += std::to_string(offset);
   if (isAnalogue(area)) width = Width::Word;
-  if (width != Width::Bit) name += width == Width::Byte ? 'B' : width == Width::Word ? 'W' : 'D';
+  if (width != Width::Bit) name += "XBWDL"[static_cast<int>(width)];
   name += std::to_string(offset);
   if (width == Width::Bit) name.append(".").append(std::to_string(bit));
   return name;

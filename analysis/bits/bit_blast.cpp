@@ -197,6 +197,7 @@ void BitBlast::blast(Node n) {
     case Op::RealLegal:
     case Op::RealFromInt:
     case Op::RealToInt:
+    case Op::LongReal:
       out = freshInputs("real " + std::to_string(indexOf(n)), width);
       unmodelled_.push_back(n);
       for (int bit = 0; bit < width; ++bit)

@@ -19,10 +19,6 @@ void addObserved(const Property& property, EncoderOptions& options) {
 
 constexpr const char* realReason = "the result of its REAL operation is taken as any value";
 
-Width leafWidth(int bits) {
-  return bits == 1 ? Width::Bit : bits == 8 ? Width::Byte : bits == 16 ? Width::Word : Width::DWord;
-}
-
 /// Whether the operand begins with a module's word at `index`.
 bool beginsAt(const Operand& operand, std::uint32_t index) {
   return (operand.area == Area::AI || operand.area == Area::PI) && operand.offset == index;
@@ -70,7 +66,7 @@ AskedProperties::AskedProperties(const Program& program, const PropertySet& set,
     if (record != nullptr) record->at(machine, instruction);
     for (std::size_t i = 0; i < everyInstruction.size(); ++i) {
       const auto here = [&](const Operand& o, int width) -> Graph::Bits {
-        return machine.load(o.area, o.offset, leafWidth(width), o.bit);
+        return machine.load(o.area, o.offset, widthOfBits(width), o.bit);
       };
       std::vector<Graph::Bits> none(everyInstruction[i]->cells.size(), graph.literal(0, 1)), ignored = none;
       const Moment<Graph> moment{machine.getBit(Reg::FirstScan), graph.literal(0, 1), 1};
@@ -223,7 +219,7 @@ Property AskedProperties::inItsBase(const Property& property) const {
 
 Node AskedProperties::leaf(const Operand& operand, int width) {
   Operand address = operand;
-  if (width != 1 || !hasBitAndWord(operand.area)) address.width = leafWidth(width);
+  if (width != 1 || !hasBitAndWord(operand.area)) address.width = widthOfBits(width);
   return encoding_->atEnd(address, width);
 }
 

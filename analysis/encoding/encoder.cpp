@@ -192,11 +192,7 @@ Node EncodedScan::atEnd(const Operand& operand, int width) {
     case Area::HC: return low(atEnd(registerPlace(Reg::HscCurrent, operand.offset)));
     case Area::AI: return impl_->scan->analogInput(operand.offset);
     default: {
-      const Width access = width == 1    ? Width::Bit
-                           : width == 8  ? Width::Byte
-                           : width == 16 ? Width::Word
-                                         : Width::DWord;
-      return atEnd(memoryPlace(operand.area, operand.offset, access, operand.bit));
+      return atEnd(memoryPlace(operand.area, operand.offset, widthOfBits(width), operand.bit));
     }
   }
 }

@@ -29,7 +29,7 @@ Node written(RealWords<Graph>& words, const NodeData& node, Graph::Bits a, Graph
 }  // namespace
 
 bool isExactReal(const NodeData& node) {
-  return isRealOperation(node.op) &&
+  return isRealOperation(node.op) && node.op != Op::LongReal &&
          (node.op != Op::RealFunction || static_cast<RealFunction>(node.value) == RealFunction::Sqrt);
 }
 

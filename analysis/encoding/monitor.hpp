@@ -13,6 +13,7 @@
 #include "analysis/property.hpp"
 #include "ir/check.hpp"
 #include "ir/domain.hpp"
+#include "ir/long_real_order.hpp"
 
 namespace rungproof {
 
@@ -92,17 +93,21 @@ class Monitor {
       case ExprOp::Greater:
       case ExprOp::GreaterEqual: return bits(compare(n, argNode(0), arg(0), argNode(1), arg(1)));
       case ExprOp::Add:
-        return n.type == ExprType::Real ? d.radd(real(0, expr, n, value), real(1, expr, n, value))
-                                        : d.add(widened(0, n.width), widened(1, n.width), n.width);
+        return isLong(n)                  ? longReal(LongRealOperation::Add, expr, n, value)
+               : n.type == ExprType::Real ? d.radd(real(0, expr, n, value), real(1, expr, n, value))
+                                          : d.add(widened(0, n.width), widened(1, n.width), n.width);
       case ExprOp::Sub:
-        return n.type == ExprType::Real ? d.rsub(real(0, expr, n, value), real(1, expr, n, value))
-                                        : d.sub(widened(0, n.width), widened(1, n.width), n.width);
+        return isLong(n)                  ? longReal(LongRealOperation::Sub, expr, n, value)
+               : n.type == ExprType::Real ? d.rsub(real(0, expr, n, value), real(1, expr, n, value))
+                                          : d.sub(widened(0, n.width), widened(1, n.width), n.width);
       case ExprOp::Mul:
-        return n.type == ExprType::Real ? d.rmul(real(0, expr, n, value), real(1, expr, n, value))
-                                        : d.mul(widened(0, n.width), widened(1, n.width), n.width);
+        return isLong(n)                  ? longReal(LongRealOperation::Mul, expr, n, value)
+               : n.type == ExprType::Real ? d.rmul(real(0, expr, n, value), real(1, expr, n, value))
+                                          : d.mul(widened(0, n.width), widened(1, n.width), n.width);
       case ExprOp::Negate:
-        return n.type == ExprType::Real ? d.bxor(arg(0), d.literal(0x80000000U, 32), 32)
-                                        : d.sub(d.literal(0, n.width), widened(0, n.width), n.width);
+        return isLong(n)                  ? d.bxor(arg(0), d.literal(LongRealOrder<D>::sign, 64), 64)
+               : n.type == ExprType::Real ? d.bxor(arg(0), d.literal(0x80000000U, 32), 32)
+                                          : d.sub(d.literal(0, n.width), widened(0, n.width), n.width);
       case ExprOp::Rises: {
         const Bool was = cell(n.cell), is = flag(0);
         setCell(n.cell, is);
@@ -147,7 +152,25 @@ class Monitor {
     return n.type == ExprType::Real ? value : d.rfromInt(number(value, n, 32));
   }
 
+  /// LREAL: a number of 64 bits.
+  static bool isLong(const ExprNode& n) { return n.type == ExprType::Real && n.width == 64; }
+  Bits asLongReal(Bits value, const ExprNode& n) {
+    if (isLong(n)) return value;
+    const bool isReal = n.type == ExprType::Real;
+    const auto which = isReal ? LongRealOperation::FromReal : LongRealOperation::FromSigned;
+    return d.longReal(static_cast<std::uint64_t>(which), isReal ? value : number(value, n, 64), 64);
+  }
+  Bits longReal(LongRealOperation which, const Expr& expr, const ExprNode& n, const std::vector<Bits>& value) {
+    const auto arg = [&](std::size_t i) { return asLongReal(value[n.args[i]], expr.nodes[n.args[i]]); };
+    return d.longReal(static_cast<std::uint64_t>(which), arg(0), arg(1), 64);
+  }
+
   Bool compare(const ExprNode& n, const ExprNode& left, Bits a, const ExprNode& right, Bits b) {
+    if (isLong(left) || isLong(right)) {
+      const Bits x = asLongReal(a, left), y = asLongReal(b, right);
+      LongRealOrder<D> order{d};
+      return relation(n.op, order.equal(x, y), order.less(x, y), order.less(y, x));
+    }
     if (left.type == ExprType::Real || right.type == ExprType::Real) {
       const Bits x = asReal(a, left), y = asReal(b, right);
       const Bool less = d.rless(x, y), more = d.rless(y, x), same = d.requal(x, y);

@@ -329,6 +329,9 @@ Graph::Bits ScanEncoding::external(const ExternalSite& site, int width) {
     totalConstraints_.push_back(shown);
   }
   externals.push_back({site, node, width, machine_.guard.node});
+  if (site.kind == External::LibraryOutput && contracts_.of(*machine_.current) == nullptr)
+    approximate(machine_.current, "calls a block that no file has: what it may write is any value")
+        .carriers.push_back(node);
   if (site.kind == External::AnalogInput) analog_[site.index] = node;
   return {node};
 }

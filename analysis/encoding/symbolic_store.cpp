@@ -30,7 +30,7 @@ std::string nameOf(const Place& place) {
     return fmt::format("{}{}{}", head, place.at, dot == std::string_view::npos ? "" : info.name.substr(dot));
   }
   if (place.width == 1) return addressName(place.area, Width::Bit, place.byte(), place.bit());
-  const Width width = place.width == 8 ? Width::Byte : place.width == 16 ? Width::Word : Width::DWord;
+  const Width width = widthOfBits(place.width);
   if (bits(width) == place.width) return addressName(place.area, width, place.byte());
   return fmt::format("{}..{}", addressName(place.area, Width::Byte, place.byte()), place.byte() + place.width / 8U - 1);
 }

@@ -14,10 +14,6 @@ namespace rungproof {
 
 namespace {
 
-Width widthOf(int width) {
-  return width == 1 ? Width::Bit : width == 8 ? Width::Byte : width == 16 ? Width::Word : Width::DWord;
-}
-
 /// What both programs find alike whatever they do: how the CPU reads its open points, and the phases of its clocks.
 /// `hasClocks`: both have clock memory.
 bool isOfTheCpu(Reg reg, bool hasClocks) {
@@ -88,7 +84,7 @@ EncoderOptions shaped(EncoderOptions options, const Program& own, const Program&
 
 Place observedPlace(const ComparedRange& range) {
   const Address& address = range.first;
-  if (range.bits > 1) return memoryPlace(address.area, address.index / 8, widthOf(static_cast<int>(range.bits)));
+  if (range.bits > 1) return memoryPlace(address.area, address.index / 8, widthOfBits(static_cast<int>(range.bits)));
   if (address.area == Area::T) return registerPlace(Reg::TimerBit, address.index);
   if (address.area == Area::C) return registerPlace(Reg::CounterBit, address.index);
   return bitPlace(address);
@@ -457,7 +453,7 @@ void ProgramProduct::addConditions(JoinedSystem& result, const std::vector<PairC
 Node ProgramProduct::assumedLeaf(SideCopy* copy, const Operand& operand, int width) {
   const bool isNew = operand.text.starts_with(newSidePrefix);
   Operand address = operand;
-  if (width != 1 || !hasBitAndWord(operand.area)) address.width = widthOf(width);
+  if (width != 1 || !hasBitAndWord(operand.area)) address.width = widthOfBits(width);
   const Node node = (isNew ? new_ : old_).encoding().atEnd(address, width);
   CHECK(node != noNode, "assumptions about both programs speak of memory and inputs");
   return isNew && copy != nullptr ? (*copy)(node) : node;

@@ -66,6 +66,7 @@ std::string_view widthName(Width width) {
     case Width::Bit: return "a bit";
     case Width::Byte: return "a byte";
     case Width::Word: return "a word";
+    case Width::LWord: return "64 bits";
     default: return "a double word";
   }
 }

@@ -34,6 +34,8 @@ class VariableUses::Walk {
     for (const Statement& one : list) statement(one);
   }
 
+  void read(const Expr& expr) { value(expr); }
+
   void call(const Expr& call, const Statement* statement) {
     const DeclaredVariable* instance = call.parts.empty() ? nullptr : find(call.parts[0].name);
     const BlockSyntax* callee = nullptr;
@@ -79,6 +81,10 @@ class VariableUses::Walk {
         if (one.target != nullptr) call(*one.target, &one);
         break;
       case StatementKind::Line: line(one); return;
+      case StatementKind::Jump:
+        if (one.value != nullptr) value(*one.value);
+        return;
+      case StatementKind::Label: return;
       default:
         if (one.target != nullptr) place(*one.target, true, true);  // the counter of FOR
         for (const ExprPtr* part : {&one.value, &one.last, &one.by}) {
@@ -183,6 +189,9 @@ VariableUses::VariableUses(const ProjectSyntax& project) : project_(project) {
   });
   for (const InstanceSyntax& instance : project.instances) {
     if (instance.connections != nullptr) Walk(*this, nullptr).call(*instance.connections, nullptr);
+  }
+  for (const TaskSyntax& task : project.tasks) {
+    if (task.single != nullptr) Walk(*this, nullptr).read(*task.single);
   }
 }
 

@@ -67,6 +67,7 @@ std::uint64_t evaluateOperation(Op op, int width, std::array<int, 2> childWidth,
     case Op::RealLegal: return d.rlegal(a);
     case Op::RealFromInt: return d.rfromInt(a);
     case Op::RealToInt: return d.rtoInt(a, value != 0);
+    case Op::LongReal: return d.longReal(value, a, b, width);
   }
   return 0;
 }

@@ -93,6 +93,7 @@ bool Graph::widthsAgree(Op op, int width, Node a, Node b, Node c, std::uint64_t 
     case Op::RealFunction:
     case Op::RealFromInt: return w(a) == 32 && width == 32;
     case Op::RealToInt: return w(a) == 32 && width == 64;
+    case Op::LongReal: return w(a) >= 32 && width >= 32;
     default: return w(a) == width && w(b) == width;
   }
 }
@@ -263,6 +264,10 @@ Graph::Bool Graph::rlegal(Bits a) { return {make(Op::RealLegal, 1, a.node)}; }
 Graph::Bits Graph::rfromInt(Bits a) { return {make(Op::RealFromInt, 32, a.node)}; }
 Graph::Bits Graph::rtoInt(Bits a, bool round) {
   return {make(Op::RealToInt, 64, a.node, noNode, noNode, round ? 1 : 0)};
+}
+
+Graph::Bits Graph::longReal(std::uint64_t which, Bits a, Bits b, int width) {
+  return {make(Op::LongReal, width, a.node, b.node, noNode, which)};
 }
 
 Graph::Bits Graph::external(const ExternalSite& site, int width) {

@@ -67,7 +67,8 @@ enum class Op : std::uint8_t {
   RealLess,
   RealLegal,
   RealFromInt,
-  RealToInt  // value = 1: round; width 64
+  RealToInt,  // value = 1: round; width 64
+  LongReal    // value = LongRealOperation
 };
 
 struct NodeData {
@@ -180,6 +181,8 @@ class Graph {
   Bool rlegal(Bits a);
   Bits rfromInt(Bits a);
   Bits rtoInt(Bits a, bool round);
+  Bits longReal(std::uint64_t which, Bits a, Bits b, int width);
+  Bits longReal(std::uint64_t which, Bits a, int width) { return longReal(which, a, {}, width); }
 
   /// The list that `find` gives, or nothing: recorded, or taken from the decisions instead.
   template <class Find>

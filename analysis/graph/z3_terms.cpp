@@ -108,6 +108,15 @@ z3::expr Z3Terms::Impl::build(Node node) {
     }
     case Op::RealFromInt: return pattern(z3::sbv_to_fpa(arg(0), c.fpa_sort<32>()));
     case Op::RealToInt: return toInteger(arg(0), n.value != 0);
+    case Op::LongReal: {  // an unknown function of the numbers
+      z3::sort_vector sorts(c);
+      z3::expr_vector numbers(c);
+      for (std::size_t i = 0; i < 2 && n.child[i] != noNode; ++i) {
+        numbers.push_back(arg(i));
+        sorts.push_back(arg(i).get_sort());
+      }
+      return c.function(fmt::format("lreal{}_{}", n.value, width).c_str(), sorts, c.bv_sort(width))(numbers);
+    }
   }
   CHECK(false, "operation without a term");
   return c.bv_val(0, 1);

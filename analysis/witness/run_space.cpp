@@ -84,12 +84,8 @@ class NamedPlaces {
 
   void put(RunSpace& space) const {
     for (const auto& [area, at, width] : inputs_) {
-      const Operand operand = width == 1 ? direct(area, Width::Bit, at / 8, at % 8)
-                                         : direct(area,
-                                                  width == 8    ? Width::Byte
-                                                  : width == 16 ? Width::Word
-                                                                : Width::DWord,
-                                                  at / 8);
+      const Operand operand =
+          width == 1 ? direct(area, Width::Bit, at / 8, at % 8) : direct(area, widthOfBits(width), at / 8);
       space.inputs.push_back({width, {{operand, noNode}}});
     }
     space.state.assign(state_.begin(), state_.end());

@@ -117,8 +117,8 @@ WordCone::WordCone(const TransitionSystem& given, std::size_t question) {
   for (std::uint32_t i = 0; i < graph_.size(); ++i) {
     const NodeData& node = graph_[static_cast<Node>(i)];
     hasReals_ = hasReals_ || computesReals(node.op);
-    hasOpaque_ =
-        hasOpaque_ || (node.op == Op::RealFunction && static_cast<RealFunction>(node.value) != RealFunction::Sqrt);
+    hasOpaque_ = hasOpaque_ || node.op == Op::LongReal ||
+                 (node.op == Op::RealFunction && static_cast<RealFunction>(node.value) != RealFunction::Sqrt);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/compiled/reduce.hpp"
+#include "ir/iec/expression_role.hpp"
 
 namespace rungproof::compiled {
 
@@ -37,12 +38,46 @@ auto* bytesOf(Store& store, Area area, bool hasTerminals) {
                                             : store.area(area).data();
 }
 
+/// IEC 61131-3: whether the evaluation stack is empty wherever ways part or meet, so that no value has to be kept from
+/// block to block of the code. Calls are recorded in place: one with values on the stack may not branch.
+bool branchesOnEmptyStack(const Plan& plan) {
+  std::vector<std::optional<bool>> isStraight(plan.flows.size());
+  const auto straight = [&](auto&& self, const Flow& flow) -> bool {
+    std::optional<bool>& known = isStraight[static_cast<std::size_t>(&flow - plan.flows.data())];
+    if (known) return *known;
+    known = false;  // one that calls itself
+    const bool has = std::ranges::all_of(flow.steps, [&](const FlowStep& step) {
+      const Control control = step.instruction->desc->control;
+      if (control != Control::Call) return control == Control::None;
+      const Flow* callee = plan.subroutine(static_cast<int>(step.instruction->operands[0].value));
+      return callee == nullptr || self(self, *callee);
+    });
+    return *(known = has);
+  };
+  return std::ranges::all_of(plan.flows, [&](const Flow& flow) {
+    std::size_t depth = 0;
+    for (const FlowStep& step : flow.steps) {
+      const StackUse use = stackUse(*step.instruction);
+      if (use.pops > depth) return false;
+      depth -= use.pops;
+      const Control control = step.instruction->desc->control;
+      const Flow* callee =
+          control == Control::Call ? plan.subroutine(static_cast<int>(step.instruction->operands[0].value)) : nullptr;
+      const bool mayBranch =
+          control == Control::Call ? callee != nullptr && !straight(straight, *callee) : control != Control::None;
+      if (mayBranch && depth > 0) return false;
+      depth += use.pushes;
+    }
+    return true;
+  });
+}
+
 }  // namespace
 
 std::unique_ptr<CompiledProgram> CompiledProgram::of(const Plan& plan, const Concrete::Store& model,
                                                      const InstructionTimes& times, bool countsTime) {
-  const bool hasProgram = !plan.isIec() && (plan.isStep7() || plan.main() != nullptr);
-  if (!hasProgram || !canTranslate()) return nullptr;
+  const bool hasProgram = plan.isStep7() || plan.main() != nullptr;
+  if (!hasProgram || !canTranslate() || (plan.isIec() && !branchesOnEmptyStack(plan))) return nullptr;
   Code code = recorded(plan, model, times, countsTime);
   const std::vector<bool> isNeeded = neededSteps(code, model.registers().size());
   std::unique_ptr<MachineCode> machineCode = translated(code, isNeeded);

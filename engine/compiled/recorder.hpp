@@ -102,6 +102,9 @@ class Recorder {
   Bool rlegal(Bits a);
   Bits rfromInt(Bits a);
   Bits rtoInt(Bits a, bool round);
+  /// Runs that compute with LREAL are left to the reference engine.
+  Bits longReal(std::uint64_t, Bits, Bits, int width) { return cannotFollow(width); }
+  Bits longReal(std::uint64_t, Bits, int width) { return cannotFollow(width); }
 
   // ---- What the machine asks for beyond values ------------------------------------------------------
   Bits external(const ExternalSite& site, int width);

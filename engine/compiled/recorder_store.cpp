@@ -169,6 +169,10 @@ Recorder::Bits Recorder::Store::load(Area area, std::uint32_t bitOffset, int wid
 }
 
 Recorder::Bits Recorder::Store::loadPlace(Area area, std::uint32_t bitOffset, int width) {
+  if (width == 64) {  // memory is read and written by up to 32 bits
+    const Bits high = loadPlace(area, bitOffset, 32);
+    return d_.concat(high, 32, loadPlace(area, bitOffset + 32, 32), 32);
+  }
   const std::uint32_t byte = bitOffset / 8;
   const int count = width == 1 ? 1 : width / 8;
   if (byte + static_cast<std::uint32_t>(count) > size(area)) return d_.cannotFollow(width);
@@ -193,6 +197,10 @@ Recorder::Bits Recorder::Store::loadPlace(Area area, std::uint32_t bitOffset, in
 void Recorder::Store::save(Area area, std::uint32_t bitOffset, int width, Bits value, Bool guard) {
   if (d_.truth(guard) == false) return;
   if (area == Area::DB) bitOffset = model_.blocks().bitPlace(bitOffset);
+  if (width == 64) {
+    save(area, bitOffset, 32, d_.extract(value, 63, 32), guard);
+    return save(area, bitOffset + 32, 32, d_.extract(value, 31, 0), guard);
+  }
   const std::uint32_t byte = bitOffset / 8;
   const int count = width == 1 ? 1 : width / 8;
   if (byte + static_cast<std::uint32_t>(count) > size(area)) {

@@ -55,11 +55,16 @@ struct RecordingHooks {
     const std::size_t first = d.code.steps.size(), sites = d.code.sites.size();
     const auto stack = m.stack;
     const auto registers = m.step7;
+    auto evaluation = m.evaluation;
     body();
     if (!isPlain || d.code.steps.size() - first <= mostOfOne) return;
     d.takeBack(first, sites);
     m.stack = stack;
     m.step7 = registers;
+    if (m.plan.isIec()) {  // as many values as it leaves; no run goes on to use them
+      evaluation.resize(m.evaluation.size(), d.literal(0, 1));
+      m.evaluation = std::move(evaluation);
+    }
     const Desc& desc = *step.instruction->desc;
     if (desc.execution != Execution::Conditional) return d.leave(d.constant(true));
     if (desc.eno) m.when(d.lnot(m.powerFlow()), [&] { m.enoAfter(d.constant(false)); });
@@ -177,7 +182,7 @@ Code recorded(const Plan& plan, const Concrete::Store& model, const InstructionT
   const Recording survey = record(plan, model, times, countsTime, extent, {}, false, false);
   const bool isStraight = std::ranges::none_of(survey.code.steps, [](const Step& s) { return isBranch(s.op); });
   const auto isStatus = [](const Step& s) { return s.op == CodeOp::StoreMemory && s.area == Area::SM && s.value == 0; };
-  const bool isAlwaysOn = !plan.isStep7() && std::ranges::none_of(survey.code.steps, isStatus);
+  const bool isAlwaysOn = !plan.isStep7() && !plan.isIec() && std::ranges::none_of(survey.code.steps, isStatus);
   return record(plan, model, times, countsTime || survey.code.hasLoops, extent, slotsFor(survey, extent), isStraight,
                 isAlwaysOn)
       .code;

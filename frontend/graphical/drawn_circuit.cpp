@@ -190,7 +190,11 @@ void DrawnCircuit::cutLoops() {
     for (const int i : loop) cut_[static_cast<std::size_t>(i)] = hasMemory_[static_cast<std::size_t>(i)];
   }
   for (const std::vector<int>& loop : loops()) {
-    for (const int i : loop) cut_[static_cast<std::size_t>(i)] = element(i).kind == DrawnKind::Connector;
+    for (const int i : loop) {
+      const DrawnKind kind = element(i).kind;
+      cut_[static_cast<std::size_t>(i)] =
+          kind == DrawnKind::Connector || (variablesKeep_ && kind == DrawnKind::InOutVariable);
+    }
   }
   for (const std::vector<int>& loop : loops()) {
     for (const int i : loop) loop_[static_cast<std::size_t>(i)] = true;

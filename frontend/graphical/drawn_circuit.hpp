@@ -19,11 +19,12 @@ class DrawnCircuit {
  public:
   static constexpr int nothing = -1;
 
-  /// `isFunctionBlock(element)`: a block with memory. Reports ids used twice, lines that come from nowhere,
-  /// connectors without partner, and loops that nothing cuts.
+  /// `isFunctionBlock(element)`: a block with memory. `variablesKeep`: a variable that is read and written cuts a loop
+  /// that no such block cuts. Reports ids used twice, lines that come from nowhere, connectors without partner, and
+  /// loops that nothing cuts.
   template <class Predicate>
-  DrawnCircuit(const DrawnNetwork& network, DrawnSink& sink, Predicate&& isFunctionBlock)
-      : network_(network), sink_(sink) {
+  DrawnCircuit(const DrawnNetwork& network, DrawnSink& sink, Predicate&& isFunctionBlock, bool variablesKeep = false)
+      : network_(network), sink_(sink), variablesKeep_(variablesKeep) {
     for (const DrawnElement& element : network.elements)
       hasMemory_.push_back(element.kind == DrawnKind::Block && isFunctionBlock(element));
     build();
@@ -70,6 +71,7 @@ class DrawnCircuit {
   const DrawnNetwork& network_;
   DrawnSink& sink_;
   std::vector<bool> hasMemory_;
+  bool variablesKeep_;
   std::unordered_map<std::string, int> byId_;
   std::unordered_map<std::string, int> connectors_;  ///< by name
   std::vector<std::vector<Consumer>> consumers_;

@@ -26,7 +26,7 @@ class DrawingToStatements {
       : block_(block),
         sink_(sink),
         drawnSink_(program),
-        circuit_(network, placed(block), isInstance),
+        circuit_(network, placed(block), isInstance, true),
         isDone_(static_cast<std::size_t>(circuit_.count()), false),
         flows_(static_cast<std::size_t>(circuit_.count())) {}
 
@@ -192,7 +192,7 @@ class DrawingToStatements {
       case DrawnKind::Coil: return shared(i, [&] { return flowInto(i); });
       case DrawnKind::InVariable:
       case DrawnKind::InOutVariable: {
-        if (element.kind == DrawnKind::InOutVariable) attempt(i);
+        if (element.kind == DrawnKind::InOutVariable && !circuit_.isCut(i)) attempt(i);
         ExprPtr value = parsed(element.text, element.span);
         return element.negated && element.kind == DrawnKind::InVariable ? inverted(std::move(value)) : std::move(value);
       }
@@ -278,7 +278,7 @@ class DrawingToStatements {
       ExprPtr path = parsed(element.instance, element.span);
       call->parts = std::move(path->parts);
     } else {
-      call->parts.push_back({PathPart::Kind::Name, element.text, {}, 0, element.span});
+      call->parts.push_back({PathPart::Kind::Name, element.text, {}, 0, 1, element.span});
     }
     for (const DrawnPin& pin : element.inputs) {
       const bool isEnable = foldedName(pin.name) == "EN";
@@ -305,6 +305,20 @@ class DrawingToStatements {
         branch.condition = flowInto(i);
         if (element.negated) branch.condition = inverted(std::move(branch.condition));
         branch.body.push_back(statementAt(i, StatementKind::Return));
+        block_.body.push_back(std::move(made));
+        return;
+      }
+      case DrawnKind::Jump: {
+        Statement made = statementAt(i, StatementKind::Jump);
+        made.target = pathOf({element.text}, element.span);
+        made.value = flowInto(i);
+        if (element.negated) made.value = inverted(std::move(made.value));
+        block_.body.push_back(std::move(made));
+        return;
+      }
+      case DrawnKind::Label: {
+        Statement made = statementAt(i, StatementKind::Label);
+        made.target = pathOf({element.text}, element.span);
         block_.body.push_back(std::move(made));
         return;
       }
@@ -384,6 +398,9 @@ class DrawingToStatements {
     if (isDeclared || element.text.empty()) return;
     VariableSyntax made;
     made.name = element.instance;
+    sink_.report(Syntax::IecTaken, element.span,
+                 fmt::format("{} is drawn and not declared: it is taken as an instance of {}",
+                             excerpt(element.instance), excerpt(element.text)));
     made.type = std::make_shared<TypeSyntax>();
     made.type->name = element.text;
     made.type->span = made.span = element.span;

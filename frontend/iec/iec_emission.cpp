@@ -14,17 +14,9 @@ void Lowering::emit(std::string_view mnemonic, std::initializer_list<std::int64_
   network_->instructions.push_back(std::move(made));
 }
 
-namespace {
-
-Width accessOf(int bits) {
-  return bits == 1 ? Width::Bit : bits == 8 ? Width::Byte : bits == 16 ? Width::Word : Width::DWord;
-}
-
-}  // namespace
-
 void Lowering::emitPlace(std::string_view mnemonic, const Type& type, std::uint32_t offset) {
   emit(type.width == 1 ? std::string(mnemonic) + ".BIT" : std::string(mnemonic));
-  Operand place = direct(Area::V, accessOf(type.width), offset);
+  Operand place = direct(Area::V, widthOfBits(type.width), offset);
   place.span = span_;
   last().operands.push_back(std::move(place));
 }
@@ -33,10 +25,12 @@ void Lowering::load(const Type& type, std::uint32_t offset) { emitPlace("LOAD", 
 
 void Lowering::store(const Type& type, std::uint32_t offset) {
   emitPlace("STORE", type, offset);
-  for (std::uint32_t i = offset; i < offset + type.bytes && i < mostBytes; ++i) {
-    if (isWritten_.size() <= i) isWritten_.resize(i + 1);
-    isWritten_[i] = 1;
-  }
+  for (std::uint32_t i = offset; i < offset + type.bytes && i < mostBytes; ++i) noteWritten(i);
+}
+
+void Lowering::noteWritten(std::uint32_t byte) {
+  if (isWritten_.size() <= byte) isWritten_.resize(byte + 1);
+  isWritten_[byte] = 1;
 }
 
 void Lowering::constant(std::int64_t value, int width) {
@@ -51,8 +45,16 @@ void Lowering::pushIndex(Scope& scope, const Reference& reference) {
   bool isFirst = true;
   for (const Reference::Index& index : reference.indices) {
     const Type* type = value(scope, *index.index, nullptr);
-    if (type == nullptr || type->kind == Kind::Real || type->kind == Kind::Bool || type->kind == Kind::Time)
-      refuse(index.index->span, "an index is a whole number");
+    if (type == nullptr || !type->isNumber()) refuse(index.index->span, "an index is a whole number");
+    // What does not fit into 32 bits with a sign is the greatest or least number that does: outside of every array.
+    if (type->isLong() && type->isSigned) {
+      constant(-2147483648LL, 64);
+      emit("MAX", {64, 1});
+    }
+    if (type->width >= 32 && (type->isLong() || !type->isSigned)) {
+      constant(2147483647, type->width);
+      emit("MIN", {type->width, type->isSigned ? 1 : 0});
+    }
     emit("RESIZE", {type->width, 32, type->isSigned ? 1 : 0});
     if (index.low != 0) {
       constant(index.low, 32);
@@ -80,10 +82,7 @@ void Lowering::element(std::string_view mnemonic, const Reference& reference) {
                                     std::int64_t{std::max(reference.type->width, 8)}})
     last().operands.push_back(rungproof::constant(number));
   if (mnemonic == "LOAD.ELEMENT") return;
-  for (std::uint32_t i = reference.offset; i < reference.offset + reach + reference.type->bytes; ++i) {
-    if (isWritten_.size() <= i) isWritten_.resize(i + 1);
-    isWritten_[i] = 1;
-  }
+  for (std::uint32_t i = reference.offset; i < reference.offset + reach + reference.type->bytes; ++i) noteWritten(i);
 }
 
 void Lowering::readReference(Scope& scope, const Reference& reference) {
@@ -97,7 +96,7 @@ void Lowering::readReference(Scope& scope, const Reference& reference) {
   if (!reference.bit) return;
   constant(*reference.bit, 32);
   emit("SHR", {reference.type->width});
-  emit("RESIZE", {reference.type->width, 1, 0});
+  emit("RESIZE", {reference.type->width, reference.partType->width, 0});
 }
 
 void Lowering::prepareWrite(Scope& scope, const Reference& reference) {
@@ -107,12 +106,12 @@ void Lowering::prepareWrite(Scope& scope, const Reference& reference) {
 void Lowering::writeReference(Scope& scope, const Reference& reference) {
   if (reference.bit) {
     if (!reference.indices.empty()) refuse(network_->span, "a bit of a computed element is not modelled");
-    const int width = reference.type->width;
-    emit("RESIZE", {1, width, 0});
+    const int width = reference.type->width, part = reference.partType->width;
+    emit("RESIZE", {part, width, 0});
     constant(*reference.bit, 32);
     emit("SHL", {width});
     load(*reference.type, reference.offset);
-    constant(~(std::int64_t{1} << *reference.bit), width);
+    constant(~(((std::int64_t{1} << part) - 1) << *reference.bit), width);
     emit("AND", {width});
     emit("OR", {width});
     return store(*reference.type, reference.offset);
@@ -125,6 +124,11 @@ void Lowering::writeReference(Scope& scope, const Reference& reference) {
 
 /// Arrays and structures, value by value.
 void Lowering::copy(Scope& scope, const Reference& from, const Reference& to) {
+  if (isText(from.type)) {
+    if (!from.indices.empty())
+      refuse(network_->span, "a text in an array with a computed index is not modelled", Syntax::IecNotModelled);
+    return copyText(scope, {from.offset, from.type->bytes}, to, network_->span);
+  }
   if (from.type->isValue()) {
     prepareWrite(scope, to);
     readReference(scope, from);

@@ -26,7 +26,7 @@ void Lowering::tellEnabled(Scope& scope, const std::string& name, const Expr& ex
 /// The truth value that `push` leaves on the stack goes to ENO => x, or inverted to NOT ENO => x.
 void Lowering::writeEnabled(Scope& scope, const Argument& argument, const std::function<void()>& push) {
   const Reference target = reference(scope, *argument.value);
-  if (!target.bit && target.type->kind != Kind::Bool) refuse(argument.span, "ENO needs a BOOL variable");
+  if (target.valueType().kind != Kind::Bool) refuse(argument.span, "ENO needs a BOOL variable");
   prepareWrite(scope, target);
   push();
   if (argument.isNegated) emit("NOT", {1});
@@ -46,7 +46,7 @@ const Argument* Lowering::enableOf(const Expr& expr) {
 
 /// x := F(EN := c, ...): without power flow x keeps its value, or gets 0 by the other reading, and ENO is FALSE.
 void Lowering::assignWhereEnabled(Scope& scope, const Reference& target, const Expr& call, const Argument& enable) {
-  const Type& type = target.bit ? *elementaryType("BOOL") : *target.type;
+  const Type& type = target.valueType();
   const int skip = newLabel(), kept = newLabel(), end = newLabel();
   valueAs(scope, *enable.value, *elementaryType("BOOL"));
   jumpIfFalse(skip);

@@ -37,7 +37,11 @@ Reference Lowering::reference(Scope& scope, const Expr& path, bool mayBeMissing)
     syntax.address = first.name;
     syntax.span = first.span;
     const char size = first.name.size() > 2 ? foldedName(first.name)[2] : '\0';
-    at.type = elementaryType(size == 'B' ? "BYTE" : size == 'W' ? "WORD" : size == 'D' ? "DWORD" : "BOOL");
+    at.type = elementaryType(size == 'B'   ? "BYTE"
+                             : size == 'W' ? "WORD"
+                             : size == 'D' ? "DWORD"
+                             : size == 'L' ? "LWORD"
+                                           : "BOOL");
     const auto offset = located(syntax, *at.type);
     if (!offset) refuse(first.span, fmt::format("{} is no address", excerpt(first.name)));
     at.offset = *offset;
@@ -91,11 +95,17 @@ Reference Lowering::reference(Scope& scope, const Expr& path, bool mayBeMissing)
 void Lowering::step(Reference& at, const PathPart& part, const Expr& path) {
   if (at.constant) refuse(part.span, "a constant has no parts");
   if (part.kind == PathPart::Kind::Index) return indexStep(at, part);
+  if (at.type->kind == Kind::Unsupported)
+    refuse(path.span, fmt::format("values of type {} are not modelled", at.type->name), Syntax::IecNotModelled);
   if (part.kind == PathPart::Kind::Bit) {
     if ((at.type->kind != Kind::BitString && at.type->kind != Kind::Integer) ||
-        part.bit >= static_cast<std::uint32_t>(at.type->width))
-      refuse(part.span, fmt::format("{} has no bit {}", at.type->name, part.bit));
+        part.bit + part.bits > static_cast<std::uint32_t>(at.type->width))
+      refuse(part.span, fmt::format("{} has no bit {}", at.type->name, part.bit + part.bits - 1));
     at.bit = part.bit;
+    at.partType = elementaryType(part.bits == 1    ? "BOOL"
+                                 : part.bits == 8  ? "BYTE"
+                                 : part.bits == 16 ? "WORD"
+                                                   : "DWORD");
     return;
   }
   const std::string folded = foldedName(part.name);
@@ -115,7 +125,7 @@ void Lowering::step(Reference& at, const PathPart& part, const Expr& path) {
     if (!variable.elements.empty()) refuse(path.span, "an instance in an array of another block is not modelled");
     at.owner = at.instance;
     at.type = variable.type;
-    at.offset = variable.offset;
+    at.offset = at.instance->placeFromOutside(folded);
     at.constant = variable.constant;
     at.instance = variable.instance;
     at.declared = variable.declared;
@@ -154,10 +164,11 @@ void Lowering::indexStep(Reference& at, const PathPart& part) {
 
 const Type* Lowering::typeOf(Scope& scope, const Expr& expr) {
   switch (expr.kind) {
-    case ExprKind::Text: refuse(expr.span, "texts are not modelled", Syntax::IecNotModelled);
+    case ExprKind::Text: return elementaryType("STRING");
     case ExprKind::Literal: {
       const auto known = types_.constant(expr);
-      return known ? known->isReal ? elementaryType("REAL") : known->type : nullptr;
+      if (!known) return nullptr;
+      return known->isReal && known->type == nullptr ? elementaryType("REAL") : known->type;
     }
     case ExprKind::Path: {
       const Reference at = reference(scope, expr, true);
@@ -168,20 +179,33 @@ const Type* Lowering::typeOf(Scope& scope, const Expr& expr) {
         return item->type;
       }
       if (at.constant && at.type == nullptr) return at.constant->type;
-      return at.bit ? &booleanType() : at.type;
+      return &at.valueType();
     }
     case ExprKind::Unary: return typeOf(scope, *expr.operands[0]);
     case ExprKind::Binary: {
       if (isComparison(expr.text)) return &booleanType();
       const Type *left = typeOf(scope, *expr.operands[0]), *right = typeOf(scope, *expr.operands[1]);
       if (left == nullptr && right == nullptr) return nullptr;
-      if ((left != nullptr && left->kind == Kind::Time) || (right != nullptr && right->kind == Kind::Time))
-        return elementaryType("TIME");
+      if (expr.text == "**") {
+        const Type* base = realTypeOf(scope, *expr.operands[0]);
+        return base->isLong() ? base : realTypeOf(scope, *expr.operands[1]);
+      }
+      if (const Type* calendar = calendarResult(expr.text, left, right)) return calendar;
+      if (const Type* time = durationOf(left, right)) return time;
       return common(left, right, nullptr, expr.span);
     }
     case ExprKind::Call: return resultOf(scope, expr);
   }
   return nullptr;
+}
+
+/// TIME or LTIME where one of the sides is a duration; otherwise nullptr.
+const Type* Lowering::durationOf(const Type* left, const Type* right) {
+  const Type* found = nullptr;
+  for (const Type* side : {left, right}) {
+    if (side != nullptr && side->kind == Kind::Time && (found == nullptr || side->isLong())) found = side;
+  }
+  return found;
 }
 
 /// The type in which both are computed.
@@ -191,7 +215,10 @@ const Type* Lowering::common(const Type* left, const Type* right, const Type* wa
   if (left == nullptr || right == nullptr) return left == nullptr ? right : left;
   if (left == right || left->name == right->name) return left;
   const auto isReal = [](const Type& t) { return t.kind == Kind::Real; };
-  if ((isReal(*left) && right->isNumber()) || (isReal(*right) && left->isNumber())) return elementaryType("REAL");
+  const bool isAnyLong = left->isLong() || right->isLong();
+  if ((isReal(*left) && (isReal(*right) || right->isNumber())) || (isReal(*right) && left->isNumber()))
+    return elementaryType(isAnyLong ? "LREAL" : "REAL");
+  if (left->kind == Kind::Time && right->kind == Kind::Time) return elementaryType("LTIME");
   if (left->isNumber() && right->isNumber()) {
     if (left->kind == Kind::BitString && right->kind == Kind::BitString)
       return left->width >= right->width ? left : right;
@@ -213,17 +240,21 @@ const Type* Lowering::value(Scope& scope, const Expr& expr, const Type* wanted) 
         expr.kind == ExprKind::Path && (scope.inOuts.contains(foldedName(expr.parts[0].name)) ||
                                         find(scope, foldedName(expr.parts[0].name), owner) != nullptr);
     if (const auto known = isVariable || expr.kind == ExprKind::Call ? std::nullopt : types_.constant(expr)) {
-      const Type* type = known->isReal                                       ? elementaryType("REAL")
-                         : known->type != nullptr                            ? known->type
-                         : wanted != nullptr && wanted->isValue()            ? wanted
-                         : known->number >= -32768 && known->number <= 32767 ? elementaryType("INT")
-                                                                             : elementaryType("DINT");
+      const bool isLongReal = wanted != nullptr && wanted->kind == Kind::Real && wanted->isLong();
+      const Type* type = known->isReal && known->type != nullptr  ? known->type
+                         : known->isReal                          ? elementaryType(isLongReal ? "LREAL" : "REAL")
+                         : known->type != nullptr                 ? known->type
+                         : wanted != nullptr && wanted->isValue() ? wanted
+                         : known->isHuge                          ? elementaryType("ULINT")
+                         : known->number >= -32768 && known->number <= 32767               ? elementaryType("INT")
+                         : known->number >= -2147483648LL && known->number <= 2147483647LL ? elementaryType("DINT")
+                                                                                           : elementaryType("LINT");
       pushValue(*known, *type, expr.span);
       return type;
     }
   }
   switch (expr.kind) {
-    case ExprKind::Text: refuse(expr.span, "texts are not modelled", Syntax::IecNotModelled);
+    case ExprKind::Text: refuse(expr.span, "a text is no value here");
     case ExprKind::Literal: {
       std::string reason;
       static_cast<void>(literalValue(expr, reason));
@@ -244,7 +275,7 @@ const Type* Lowering::value(Scope& scope, const Expr& expr, const Type* wanted) 
       }
       if (!at.type->isValue()) refuse(expr.span, fmt::format("{} is no value here", at.type->name));
       readReference(scope, at);
-      return at.bit ? &booleanType() : at.type;
+      return &at.valueType();
     }
     case ExprKind::Unary: return unary(scope, expr, wanted);
     case ExprKind::Binary: return binary(scope, expr, wanted);
@@ -260,19 +291,29 @@ void Lowering::valueAs(Scope& scope, const Expr& expr, const Type& wanted) {
 
 void Lowering::pushValue(const Value& value, const Type& wanted, Span span) {
   if (wanted.kind == Kind::Real) {
-    if (value.isReal || (value.type != nullptr && value.type->kind == Kind::Real)) return constant(value.number, 32);
-    constant(value.number, 32);
-    return emit("TO.REAL", {1});
+    const double real = value.isReal   ? value.real
+                        : value.isHuge ? static_cast<double>(static_cast<std::uint64_t>(value.number))
+                                       : static_cast<double>(value.number);
+    return constant(realPattern(real, wanted.width), wanted.width);
   }
   if (value.isReal) refuse(span, fmt::format("a REAL number does not fit into {}", wanted.name));
   if (wanted.kind == Kind::Time && value.type == nullptr && value.number != 0)
     refuse(span, "a duration is written T#5s");
+  if (wanted.kind == Kind::Date && value.type == nullptr && value.number != 0)
+    refuse(span, fmt::format("a {} is written {}", wanted.name,
+                             wanted.name.ends_with("TOD")    ? "TOD#12:30:00"
+                             : wanted.name.ends_with("DATE") ? "D#2024-12-31"
+                                                             : "DT#2024-12-31-12:30:00"));
   const bool isBoolean = wanted.kind == Kind::Bool;
   if (isBoolean && (value.number < 0 || value.number > 1)) refuse(span, fmt::format("{} is no BOOL", value.number));
-  const std::int64_t top = std::int64_t{1} << wanted.width;
-  const std::int64_t least = wanted.isSigned ? -(top / 2) : 0;
-  if (value.number < least || value.number >= top)
-    refuse(span, fmt::format("{} does not fit into {}", value.number, wanted.name));
+  const bool fits = wanted.isLong()
+                        ? (value.isHuge ? !wanted.isSigned : wanted.isSigned || value.number >= 0)
+                        : !value.isHuge &&
+                              value.number >= (wanted.isSigned ? -(std::int64_t{1} << (wanted.width - 1)) : 0) &&
+                              value.number < (std::int64_t{1} << wanted.width);
+  if (!fits && value.isHuge)
+    refuse(span, fmt::format("{} does not fit into {}", static_cast<std::uint64_t>(value.number), wanted.name));
+  if (!fits) refuse(span, fmt::format("{} does not fit into {}", value.number, wanted.name));
   constant(value.number, wanted.width);
 }
 
@@ -289,7 +330,8 @@ void Lowering::convertImplicitly(const Type& from, const Type& to, Span span) {
     if (from.width != to.width) emit("RESIZE", {from.width, to.width, from.isSigned ? 1 : 0});
     return;
   }
-  if (from.kind == Kind::Integer && to.kind == Kind::Real) return convert(from, to, false, span);
+  const bool isLengthened = (from.kind == Kind::Real || from.kind == Kind::Time) && from.kind == to.kind && to.isLong();
+  if (isLengthened || (from.kind == Kind::Integer && to.kind == Kind::Real)) return convert(from, to, false, span);
   if (from.kind == Kind::Enum && to.kind == Kind::Enum) refuse(span, fmt::format("{} is no {}", from.name, to.name));
   refuse(span, fmt::format("{} does not fit into {}: write {}_TO_{}", from.name, to.name, from.name, to.name));
 }
@@ -302,7 +344,7 @@ const Type* Lowering::unary(Scope& scope, const Expr& expr, const Type* wanted) 
     if (!fits) refuse(expr.span, fmt::format("NOT of {}", type->name));
     emit("NOT", {type->width});
   } else if (type->kind == Kind::Real) {
-    emit("NEG.REAL");
+    emit(type->isLong() ? "NEG.LREAL" : "NEG.REAL");
   } else {
     if (type->kind != Kind::Integer && type->kind != Kind::Time) refuse(expr.span, fmt::format("- of {}", type->name));
     emit("NEG", {type->width});
@@ -334,30 +376,22 @@ bool Lowering::mayFault(const Expr& expr) const {
 const Type* Lowering::binary(Scope& scope, const Expr& expr, const Type* wanted) {
   const Expr &left = *expr.operands[0], &right = *expr.operands[1];
   const Type *leftType = typeOf(scope, left), *rightType = typeOf(scope, right);
-  const auto isTime = [](const Type* t) { return t != nullptr && t->kind == Kind::Time; };
-  if ((expr.text == "*" || expr.text == "/") && (isTime(leftType) || isTime(rightType))) {
-    const bool isSwapped = isTime(rightType);
-    if (isSwapped && (expr.text == "/" || isTime(leftType)))
-      refuse(expr.span, "a duration is multiplied or divided by a number");
-    const Type& time = *elementaryType("TIME");
-    const Type* number = isSwapped ? leftType : rightType;
-    if (number != nullptr && number->kind != Kind::Integer)
-      refuse(expr.span, "a duration times a REAL is not modelled", Syntax::IecNotModelled);
-    const auto operand = [&](const Expr& side, bool isDuration) {
-      if (isDuration) return valueAs(scope, side, time);
-      const Type* type = value(scope, side, elementaryType("DINT"));
-      emit("RESIZE", {type->width, 32, type->isSigned ? 1 : 0});
-    };
-    operand(left, !isSwapped);
-    operand(right, isSwapped);
-    emit(expr.text == "*" ? "MUL" : "DIV", {32});
-    if (expr.text == "/") last().operands.push_back(rungproof::constant(1));
-    return &time;
-  }
   const bool isCompare = isComparison(expr.text);
+  if (isCompare && (isText(leftType) || isText(rightType))) {
+    compareTexts(scope, expr.text, left, right);
+    return &booleanType();
+  }
+  if (calendarResult(expr.text, leftType, rightType) != nullptr)
+    return calendarSum(scope, expr.text, left, right, expr.span);
+  const auto isTime = [](const Type* t) { return t != nullptr && t->kind == Kind::Time; };
+  if ((expr.text == "*" || expr.text == "/") && (isTime(leftType) || isTime(rightType)))
+    return scaledDuration(scope, expr.text, left, right, expr.span);
+  if (expr.text == "**") return power(scope, left, right);
   const Type* type = common(leftType, rightType, isCompare ? nullptr : wanted, expr.span);
   if (!type->isValue()) refuse(expr.span, fmt::format("{} is no value here", type->name));
-  if (type->kind == Kind::Bool && (expr.text == "AND" || expr.text == "OR") && mayFault(right)) {
+  const bool isLazy = expr.text == "AND_THEN" || expr.text == "OR_ELSE";
+  if (isLazy && type->kind != Kind::Bool) refuse(expr.span, fmt::format("{} of {}", expr.text, type->name));
+  if (isLazy || (type->kind == Kind::Bool && (expr.text == "AND" || expr.text == "OR") && mayFault(right))) {
     logicWithFaults(scope, expr);
     return type;
   }
@@ -367,22 +401,25 @@ const Type* Lowering::binary(Scope& scope, const Expr& expr, const Type* wanted)
   return isCompare ? &booleanType() : type;
 }
 
-/// Whether the right side is computed where the left one decides is open, and matters here.
+/// Whether the right side is computed where the left one decides is open for AND and OR, and matters here; AND_THEN and
+/// OR_ELSE never compute it there.
 void Lowering::logicWithFaults(Scope& scope, const Expr& expr) {
   const Type& boolean = booleanType();
   const std::uint32_t decided = allocate(1);
   const int end = newLabel();
   valueAs(scope, *expr.operands[0], boolean);
   store(boolean, decided);
-  emit("READING", {static_cast<std::int64_t>(Choice::IecShortCircuit), 1});
+  const bool isLazy = expr.text == "AND_THEN" || expr.text == "OR_ELSE";
+  const bool isAnd = expr.text.starts_with("AND");
+  if (!isLazy) emit("READING", {static_cast<std::int64_t>(Choice::IecShortCircuit), 1});
   load(boolean, decided);
-  if (expr.text == "AND") emit("NOT", {1});
-  emit("AND", {1});
+  if (isAnd) emit("NOT", {1});
+  if (!isLazy) emit("AND", {1});
   emit("NOT", {1});
   jumpIfFalse(end);
   load(boolean, decided);
   valueAs(scope, *expr.operands[1], boolean);
-  emit(expr.text, {1});
+  emit(isAnd ? "AND" : "OR", {1});
   store(boolean, decided);
   label(end);
   load(boolean, decided);
@@ -408,8 +445,9 @@ void Lowering::operate(const std::string& op, const Type& type, Span span) {
   }
   if (type.kind == Kind::Real) {
     if (op == "MOD") refuse(span, "MOD of REAL");
-    return emit(mnemonic + ".REAL");
+    return emit(mnemonic + (type.isLong() ? ".LREAL" : ".REAL"));
   }
+  if (type.kind == Kind::Date && isArithmetic) refuse(span, fmt::format("{} of {}", op, type.name));
   if (!isArithmetic) return emit(mnemonic, {type.width, type.isSigned ? 1 : 0});
   if (op == "/" || op == "MOD") return emit(mnemonic, {type.width, type.isSigned ? 1 : 0});
   emit(mnemonic, {type.width});

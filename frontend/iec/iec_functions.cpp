@@ -16,6 +16,15 @@ enum class FunctionKind : std::uint8_t {
   Limit,
   Absolute,
   RealFunction,
+  LongFunction,  ///< of a REAL or LREAL, computed as LREAL
+  Whole,         ///< of a REAL or LREAL, gives a DINT
+  Power,
+  ArcTan2,
+  Scale,     ///< a duration by a number
+  Calendar,  ///< sums and differences of dates
+  Length,
+  Find,
+  Text,  ///< gives a text
   Move,
   Not
 };
@@ -24,7 +33,12 @@ struct StandardFunction {
   FunctionKind call;
   std::string_view op;  ///< operator or mnemonic
   RealFunction function = RealFunction::Sqrt;
+  LongRealOperation longFunction = LongRealOperation::Sqrt;
 };
+
+StandardFunction ofReal(RealFunction function, LongRealOperation same) {
+  return {FunctionKind::RealFunction, "", function, same};
+}
 
 const std::map<std::string, StandardFunction>& standardFunctions() {
   static const std::map<std::string, StandardFunction> all = {
@@ -54,30 +68,47 @@ const std::map<std::string, StandardFunction>& standardFunctions() {
       {"LIMIT", {FunctionKind::Limit, ""}},
       {"ABS", {FunctionKind::Absolute, ""}},
       {"MOVE", {FunctionKind::Move, ""}},
-      {"SQRT", {FunctionKind::RealFunction, "", RealFunction::Sqrt}},
-      {"SIN", {FunctionKind::RealFunction, "", RealFunction::Sin}},
-      {"COS", {FunctionKind::RealFunction, "", RealFunction::Cos}},
-      {"TAN", {FunctionKind::RealFunction, "", RealFunction::Tan}},
-      {"LN", {FunctionKind::RealFunction, "", RealFunction::Ln}},
-      {"EXP", {FunctionKind::RealFunction, "", RealFunction::Exp}},
-      {"ASIN", {FunctionKind::RealFunction, "", RealFunction::ArcSin}},
-      {"ACOS", {FunctionKind::RealFunction, "", RealFunction::ArcCos}},
-      {"ATAN", {FunctionKind::RealFunction, "", RealFunction::ArcTan}},
+      {"SQRT", ofReal(RealFunction::Sqrt, LongRealOperation::Sqrt)},
+      {"SIN", ofReal(RealFunction::Sin, LongRealOperation::Sin)},
+      {"COS", ofReal(RealFunction::Cos, LongRealOperation::Cos)},
+      {"TAN", ofReal(RealFunction::Tan, LongRealOperation::Tan)},
+      {"LN", ofReal(RealFunction::Ln, LongRealOperation::Ln)},
+      {"EXP", ofReal(RealFunction::Exp, LongRealOperation::Exp)},
+      {"ASIN", ofReal(RealFunction::ArcSin, LongRealOperation::ArcSin)},
+      {"ACOS", ofReal(RealFunction::ArcCos, LongRealOperation::ArcCos)},
+      {"ATAN", ofReal(RealFunction::ArcTan, LongRealOperation::ArcTan)},
+      {"LOG", {FunctionKind::LongFunction, "", {}, LongRealOperation::Log}},
+      {"FLOOR", {FunctionKind::Whole, "", {}, LongRealOperation::Floor}},
+      {"CEIL", {FunctionKind::Whole, "", {}, LongRealOperation::Ceil}},
+      {"EXPT", {FunctionKind::Power, ""}},
+      {"ATAN2", {FunctionKind::ArcTan2, ""}},
+      {"ADD_TIME", {FunctionKind::Operator, "+"}},
+      {"SUB_TIME", {FunctionKind::Operator, "-"}},
+      {"ADD_LTIME", {FunctionKind::Operator, "+"}},
+      {"SUB_LTIME", {FunctionKind::Operator, "-"}},
+      {"MULTIME", {FunctionKind::Scale, "*"}},
+      {"MUL_TIME", {FunctionKind::Scale, "*"}},
+      {"DIVTIME", {FunctionKind::Scale, "/"}},
+      {"DIV_TIME", {FunctionKind::Scale, "/"}},
+      {"ADD_TOD_TIME", {FunctionKind::Calendar, "+"}},
+      {"SUB_TOD_TIME", {FunctionKind::Calendar, "-"}},
+      {"SUB_TOD_TOD", {FunctionKind::Calendar, "-"}},
+      {"ADD_DT_TIME", {FunctionKind::Calendar, "+"}},
+      {"SUB_DT_TIME", {FunctionKind::Calendar, "-"}},
+      {"SUB_DT_DT", {FunctionKind::Calendar, "-"}},
+      {"SUB_DATE_DATE", {FunctionKind::Calendar, "-"}},
+      {"CONCAT_DATE_TOD", {FunctionKind::Calendar, "+"}},
+      {"LEN", {FunctionKind::Length, ""}},
+      {"FIND", {FunctionKind::Find, ""}},
+      {"CONCAT", {FunctionKind::Text, ""}},
+      {"LEFT", {FunctionKind::Text, ""}},
+      {"RIGHT", {FunctionKind::Text, ""}},
+      {"MID", {FunctionKind::Text, ""}},
+      {"INSERT", {FunctionKind::Text, ""}},
+      {"DELETE", {FunctionKind::Text, ""}},
+      {"REPLACE", {FunctionKind::Text, ""}},
   };
   return all;
-}
-
-/// INT_TO_REAL, TO_REAL, TRUNC, REAL_TRUNC_INT: the type of the result.
-const Type* conversionTarget(const std::string& name) {
-  if (name == "TRUNC") return elementaryType("DINT");
-  std::string_view rest = name;
-  if (const std::size_t at = rest.find("_TRUNC_"); at != std::string_view::npos)
-    return elementaryType(rest.substr(at + 7));
-  if (rest.starts_with("TRUNC_")) return elementaryType(rest.substr(6));
-  if (rest.starts_with("TO_")) return elementaryType(rest.substr(3));
-  const std::size_t at = rest.find("_TO_");
-  if (at == std::string_view::npos || elementaryType(rest.substr(0, at)) == nullptr) return nullptr;
-  return elementaryType(rest.substr(at + 4));
 }
 
 }  // namespace
@@ -89,8 +120,17 @@ bool isStandardFunction(const std::string& folded) {
 bool isPartialFunction(const std::string& folded) {
   const auto found = standardFunctions().find(folded);
   if (found == standardFunctions().end())
-    return folded.starts_with("REAL_") || folded.starts_with("TO_") || folded.starts_with("TRUNC");
-  return found->second.call == FunctionKind::RealFunction || found->second.call == FunctionKind::Mux;
+    return folded.starts_with("REAL_") || folded.starts_with("LREAL_") || folded.starts_with("TO_") ||
+           folded.starts_with("TRUNC");
+  switch (found->second.call) {
+    case FunctionKind::RealFunction:
+    case FunctionKind::LongFunction:
+    case FunctionKind::Whole:
+    case FunctionKind::Power:
+    case FunctionKind::Text:
+    case FunctionKind::Mux: return true;
+    default: return false;
+  }
 }
 
 bool isComparisonFunction(const std::string& folded) {
@@ -155,19 +195,38 @@ const Type* Lowering::standardResult(Scope& scope, const std::string& name, cons
     refuse(expr.span, fmt::format("there is no function and no instance {}", excerpt(expr.parts[0].name)),
            Syntax::IecName);
   }
-  std::vector<const Expr*> values = plainArguments(expr, {"IN", "G", "K", "MN", "IN0", "IN1", "IN2", "MX", "N"});
+  std::vector<const Expr*> values =
+      plainArguments(expr, {"IN", "G", "K", "MN", "IN0", "IN1", "IN2", "MX", "N", "L", "P"});
   if (found->second.call == FunctionKind::Compare) return elementaryType("BOOL");
-  if (found->second.call == FunctionKind::RealFunction) return elementaryType("REAL");
   if (values.empty()) refuse(expr.span, fmt::format("the arguments of {} do not fit", name));
+  switch (found->second.call) {
+    case FunctionKind::RealFunction:
+    case FunctionKind::LongFunction: return realTypeOf(scope, *values[0]);
+    case FunctionKind::Whole: return elementaryType("DINT");
+    case FunctionKind::Power:
+    case FunctionKind::ArcTan2:
+      return values.size() == 2 && realTypeOf(scope, *values[1])->isLong() ? realTypeOf(scope, *values[1])
+                                                                           : realTypeOf(scope, *values[0]);
+    case FunctionKind::Length:
+    case FunctionKind::Find: return elementaryType("INT");
+    case FunctionKind::Text: return elementaryType("STRING");
+    case FunctionKind::Scale:
+    case FunctionKind::Calendar:
+      if (values.size() != 2) refuse(expr.span, fmt::format("the arguments of {} do not fit", name));
+      if (found->second.call == FunctionKind::Scale) return durationOf(typeOf(scope, *values[0]), nullptr);
+      return calendarResult(found->second.op, typeOf(scope, *values[0]), typeOf(scope, *values[1]));
+    default: break;
+  }
   if (found->second.call == FunctionKind::Shift || found->second.call == FunctionKind::Absolute ||
       found->second.call == FunctionKind::Move || found->second.call == FunctionKind::Not)
     return typeOf(scope, *values[0]);
   if (found->second.call == FunctionKind::Select || found->second.call == FunctionKind::Mux)
     values.erase(values.begin());
   if (found->second.call == FunctionKind::Operator) {
-    for (const Expr* one : values) {
-      const Type* type = typeOf(scope, *one);
-      if (type != nullptr && type->kind == Kind::Time) return type;
+    if (values.size() == 2) {
+      const Type *left = typeOf(scope, *values[0]), *right = typeOf(scope, *values[1]);
+      if (const Type* calendar = calendarResult(found->second.op, left, right)) return calendar;
+      if (const Type* time = durationOf(left, right)) return time;
     }
   }
   return ownTypeOf(scope, values, expr.span);
@@ -192,6 +251,14 @@ const Type* Lowering::call(Scope& scope, const Expr& expr, const Type* wanted) {
 
 /// All arguments are computed before the first is stored: one of them may call the same function.
 const Type* Lowering::ownFunction(Scope& scope, BlockInstance& function, const Expr& expr) {
+  const Variable& result = runFunction(scope, function, expr);
+  if (!result.type->isValue()) refuse(expr.span, fmt::format("{} is no value here", result.type->name));
+  load(*result.type, result.offset);
+  return result.type;
+}
+
+/// The variable that holds its result.
+const Variable& Lowering::runFunction(Scope& scope, BlockInstance& function, const Expr& expr) {
   Scope inner;
   inner.self = &function;
   std::vector<const VariableSyntax*> inputs;
@@ -225,9 +292,13 @@ const Type* Lowering::ownFunction(Scope& scope, BlockInstance& function, const E
       inner.inOuts[foldedName(inputs[i]->name)] = actual;
       continue;
     }
-    if (!formal.type->isValue())
-      refuse(expr.span, fmt::format("{} as an argument of a function is not modelled", formal.type->name),
-             Syntax::IecNotModelled);
+    if (!formal.type->isValue()) {
+      Reference target;
+      target.type = formal.type;
+      target.offset = formal.offset;
+      if (given[i] != nullptr) assignWhole(scope, target, *given[i]->value);
+      continue;
+    }
     if (given[i] != nullptr) {
       valueAs(scope, *given[i]->value, *formal.type);
     } else {
@@ -242,15 +313,11 @@ const Type* Lowering::ownFunction(Scope& scope, BlockInstance& function, const E
     const auto declared = function.names.find(foldedName(inputs[i]->name));
     if (declared == function.names.end()) throw Refused{};  // its declaration was not understood, which is told there
     const Variable& formal = declared->second;
-    store(*formal.type, formal.offset);
+    if (formal.type->isValue()) store(*formal.type, formal.offset);
   }
   runBody(scope, function, inner, expr.span);
   readOutputs(scope, function, expr);
-  const Variable& result = function.names.at(foldedName(function.block->name));
-  if (!result.type->isValue())
-    refuse(expr.span, fmt::format("a result of type {} is not modelled", result.type->name), Syntax::IecNotModelled);
-  load(*result.type, result.offset);
-  return result.type;
+  return function.names.at(foldedName(function.block->name));
 }
 
 const Type* Lowering::standardCall(Scope& scope, const std::string& name, const Expr& expr, const Type* wanted) {
@@ -273,7 +340,8 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
   const auto found = standardFunctions().find(name);
   if (found == standardFunctions().end()) return conversion(scope, name, expr);
   const StandardFunction& row = found->second;
-  std::vector<const Expr*> values = plainArguments(expr, {"IN", "G", "K", "MN", "IN0", "IN1", "IN2", "MX", "N"});
+  std::vector<const Expr*> values =
+      plainArguments(expr, {"IN", "G", "K", "MN", "IN0", "IN1", "IN2", "MX", "N", "L", "P"});
   if (row.call == FunctionKind::Limit) values = plainArguments(expr, {"MN", "IN", "MX"});
   const auto need = [&](std::size_t least, std::size_t most) {
     if (values.size() < least || values.size() > most)
@@ -293,8 +361,10 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
     case FunctionKind::Move: need(1, 1); return value(scope, *values[0], wanted);
     case FunctionKind::Operator: {
       need(2, 64);
-      if ((row.op == "*" || row.op == "/") && (isTimeValue(values[0]) || isTimeValue(values[1])))
-        refuse(expr.span, "write * or / between a duration and a number");
+      if ((row.op == "*" || row.op == "/") && values.size() == 2 && (isTimeValue(values[0]) || isTimeValue(values[1])))
+        return scaledDuration(scope, std::string(row.op), *values[0], *values[1], expr.span);
+      if (values.size() == 2 && calendarResult(row.op, typeOf(scope, *values[0]), typeOf(scope, *values[1])) != nullptr)
+        return calendarSum(scope, std::string(row.op), *values[0], *values[1], expr.span);
       const Type* type = commonOf(scope, values, wanted, expr.span);
       valueAs(scope, *values[0], *type);
       for (std::size_t i = 1; i < values.size(); ++i) {
@@ -305,6 +375,13 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
     }
     case FunctionKind::Compare: {
       need(2, 64);
+      if (isText(typeOf(scope, *values[0]))) {
+        for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+          compareTexts(scope, std::string(row.op), *values[i], *values[i + 1]);
+          if (i > 0) emit("AND", {1});
+        }
+        return &boolean;
+      }
       const Type* type = commonOf(scope, values, nullptr, expr.span);
       for (std::size_t i = 0; i + 1 < values.size(); ++i) {
         valueAs(scope, *values[i], *type);
@@ -318,12 +395,10 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
       need(2, 2);
       const Type* type = value(scope, *values[0], wanted);
       if (!type->isNumber()) refuse(expr.span, fmt::format("{} of {}", name, type->name));
-      if (type->isSigned && row.op == "SHR")
-        refuse(expr.span, "SHR of a signed number is not modelled", Syntax::IecNotModelled);
       const Type* count = value(scope, *values[1], elementaryType("DINT"));
       if (!count->isNumber()) refuse(expr.span, fmt::format("a count of type {}", count->name));
       emit("RESIZE", {count->width, 32, count->isSigned ? 1 : 0});
-      emit(row.op, {type->width});
+      emit(type->isSigned && row.op == "SHR" ? "SAR" : row.op, {type->width});
       return type;
     }
     case FunctionKind::Select: {
@@ -363,7 +438,7 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
       need(2, 64);
       const Type* type = commonOf(scope, values, wanted, expr.span);
       const auto extreme = [&](std::string_view op) {
-        if (type->kind == Kind::Real) return emit(std::string(op) + ".REAL");
+        if (type->kind == Kind::Real) return emit(fmt::format("{}{}", op, type->isLong() ? ".LREAL" : ".REAL"));
         emit(op, {type->width, type->isSigned ? 1 : 0});
       };
       if (row.call == FunctionKind::Limit) {  // MIN(MAX(IN, MN), MX)
@@ -385,7 +460,7 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
       need(1, 1);
       const Type* type = value(scope, *values[0], wanted);
       if (type->kind == Kind::Real) {
-        emit("ABS.REAL");
+        emit(type->isLong() ? "ABS.LREAL" : "ABS.REAL");
       } else if (type->isSigned) {
         emit("ABS", {type->width});
       }
@@ -393,90 +468,55 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
     }
     case FunctionKind::RealFunction: {
       need(1, 1);
-      valueAs(scope, *values[0], *elementaryType("REAL"));
-      emit("FUNC.REAL", {static_cast<std::int64_t>(row.function)});
-      return elementaryType("REAL");
+      const Type* type = realTypeOf(scope, *values[0]);
+      valueAs(scope, *values[0], *type);
+      emit(type->isLong() ? "FUNC.LREAL" : "FUNC.REAL",
+           {type->isLong() ? static_cast<std::int64_t>(row.longFunction) : static_cast<std::int64_t>(row.function)});
+      return type;
     }
+    case FunctionKind::LongFunction:
+    case FunctionKind::Whole: {
+      need(1, 1);
+      const Type* type = realTypeOf(scope, *values[0]);
+      valueAs(scope, *values[0], *elementaryType("LREAL"));
+      emit("FUNC.LREAL", {static_cast<std::int64_t>(row.longFunction)});
+      if (row.call == FunctionKind::Whole) {
+        emit("FROM.LREAL", {32, 1, 0});
+        return elementaryType("DINT");
+      }
+      if (!type->isLong()) emit("LREAL.REAL");
+      return type;
+    }
+    case FunctionKind::Power: need(2, 2); return power(scope, *values[0], *values[1]);
+    case FunctionKind::ArcTan2: {
+      need(2, 2);
+      const Type* type = standardResult(scope, name, expr);
+      for (const Expr* one : values) valueAs(scope, *one, *elementaryType("LREAL"));
+      emit("ATAN2.LREAL");
+      if (!type->isLong()) emit("LREAL.REAL");
+      return type;
+    }
+    case FunctionKind::Scale:
+      need(2, 2);
+      return scaledDuration(scope, std::string(row.op), *values[0], *values[1], expr.span);
+    case FunctionKind::Calendar:
+      need(2, 2);
+      return calendarSum(scope, std::string(row.op), *values[0], *values[1], expr.span);
+    case FunctionKind::Length: {
+      need(1, 1);
+      const TextAt at = text(scope, *values[0]);
+      emitTexts("LEN.TEXT", {at});
+      return elementaryType("INT");
+    }
+    case FunctionKind::Find: {
+      need(2, 2);
+      const TextAt whole = text(scope, *values[0]), what = text(scope, *values[1]);
+      emitTexts("FIND.TEXT", {whole, what});
+      return elementaryType("INT");
+    }
+    case FunctionKind::Text: refuse(expr.span, fmt::format("the text of {} is no value here", name));
   }
   return nullptr;
-}
-
-const Type* Lowering::conversion(Scope& scope, const std::string& name, const Expr& expr) {
-  const Type* target = conversionTarget(name);
-  if (target == nullptr)
-    refuse(expr.span, fmt::format("there is no function and no instance {}", excerpt(expr.parts[0].name)),
-           Syntax::IecName);
-  if (target->kind == Kind::Unsupported)
-    refuse(expr.span, fmt::format("values of type {} are not modelled", target->name), Syntax::IecNotModelled);
-  const std::vector<const Expr*> values = plainArguments(expr, {"IN"});
-  if (values.size() != 1) refuse(expr.span, fmt::format("the arguments of {} do not fit", name));
-  const std::size_t at = name.find("_TO_");
-  const Type* stated = at == std::string::npos ? nullptr : elementaryType(name.substr(0, at));
-  const Type* source = value(scope, *values[0], stated);
-  if (stated != nullptr && stated->kind != Kind::Unsupported && stated != source) {
-    convertImplicitly(*source, *stated, expr.span);
-    source = stated;
-  }
-  convert(*source, *target, name.find("TRUNC") != std::string::npos, expr.span);
-  return target;
-}
-
-void Lowering::convert(const Type& from, const Type& to, bool cuts, Span span) {
-  if (from.kind == Kind::Time && to.kind == Kind::Time) return;
-  if (from.kind == Kind::Time) return fromDuration(to, span);
-  if (to.kind == Kind::Time) return toDuration(from, span);
-  if (from.kind == Kind::Real) {
-    if (to.kind == Kind::Real) return;
-    if (to.kind == Kind::Bool) refuse(span, "REAL_TO_BOOL is not modelled", Syntax::IecNotModelled);
-    return emit("FROM.REAL", {to.width, to.isSigned ? 1 : 0, cuts ? 0 : 1});
-  }
-  if (to.kind == Kind::Real) {
-    emit("RESIZE", {from.width, 32, from.isSigned ? 1 : 0});
-    return emit("TO.REAL", {from.width == 32 && !from.isSigned ? 0 : 1});
-  }
-  if (to.kind == Kind::Bool && from.kind != Kind::Bool) {
-    constant(0, from.width);
-    return emit("NE", {from.width, 0});
-  }
-  emit("RESIZE", {from.width, to.width, from.isSigned ? 1 : 0});
-}
-
-/// Milliseconds or seconds, by the reading in force.
-void Lowering::fromDuration(const Type& to, Span span) {
-  const Type& whole = *elementaryType("DINT");
-  const Type& time = *elementaryType("TIME");
-  const std::uint32_t duration = allocate(4);
-  store(time, duration);
-  emit("READING", {static_cast<std::int64_t>(Choice::IecTimeNumber), 1});
-  load(time, duration);
-  convert(whole, to, false, span);
-  if (to.kind == Kind::Real) {
-    load(time, duration);
-    emit("TO.REAL", {1});
-    pushValue({nullptr, 0x447A0000, true, 1000}, to, span);
-    emit("DIV.REAL");
-  } else {
-    load(time, duration);
-    constant(1000, 32);
-    emit("DIV", {32, 1});
-    convert(whole, to, false, span);
-  }
-  emit("SEL", {to.width});
-}
-
-void Lowering::toDuration(const Type& from, Span span) {
-  if (from.kind == Kind::Real || from.kind == Kind::Bool)
-    refuse(span, fmt::format("{}_TO_TIME is not modelled", from.name), Syntax::IecNotModelled);
-  emit("RESIZE", {from.width, 32, from.isSigned ? 1 : 0});
-  const Type& time = *elementaryType("TIME");
-  const std::uint32_t number = allocate(4);
-  store(time, number);
-  emit("READING", {static_cast<std::int64_t>(Choice::IecTimeNumber), 1});
-  load(time, number);
-  load(time, number);
-  constant(1000, 32);
-  emit("MUL", {32});
-  emit("SEL", {32});
 }
 
 }  // namespace rungproof::iec

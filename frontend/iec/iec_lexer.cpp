@@ -57,13 +57,38 @@ class IecLexer {
         nested("(*", "*)");
       } else if (sees("/*")) {
         nested("/*", "*/");
-      } else if (text_[at_] == '{') {
-        at_ = std::min(text_.find('}', at_), text_.size() - 1) + 1;
+      } else if (text_[at_] == '{' && isPragma()) {
+        at_ = endOfBraces();
       } else {
         return;
       }
     }
   }
+  /// Braces hold directives to a compiler; those of MatIEC and Beremiz hold code in C.
+  bool isPragma() const {
+    static constexpr std::string_view words[] = {"attribute", "external", "region",  "endregion", "warning", "error",
+                                                 "info",      "text",     "define",  "undefine",  "if",      "elsif",
+                                                 "else",      "end_if",   "flow",    "library",   "disable", "enable",
+                                                 "page",      "pragma",   "implicit"};
+    std::string_view inner = text_.substr(at_ + 1, endOfBraces() - at_ - 1);
+    while (!inner.empty() && std::isspace(static_cast<unsigned char>(inner.front())) != 0) inner.remove_prefix(1);
+    std::string word;
+    for (const char c : inner) {
+      if (!isNamePart(c)) break;
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return inner.find_first_of(";={") == std::string_view::npos || std::ranges::find(words, word) != std::end(words);
+  }
+  /// Behind the brace that closes the one here.
+  std::size_t endOfBraces() const {
+    std::size_t depth = 0;
+    for (std::size_t i = at_; i < text_.size(); ++i) {
+      if (text_[i] == '{') ++depth;
+      if (text_[i] == '}' && --depth == 0) return i + 1;
+    }
+    return text_.size();
+  }
+
   void nested(std::string_view open, std::string_view close) {
     const std::size_t first = at_;
     std::size_t depth = 0;
@@ -112,6 +137,10 @@ class IecLexer {
       ++at_;
       while (at_ < text_.size() && (isNamePart(text_[at_]) || text_[at_] == '*' || isPoint())) ++at_;
       return token(TokenKind::Address, first);
+    }
+    if (c == '{') {
+      at_ = endOfBraces();
+      return token(TokenKind::Punctuation, first);
     }
     if (isDigitOf(c)) return number();
     if (startsName(c)) return word();

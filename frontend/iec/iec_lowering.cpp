@@ -43,8 +43,9 @@ void Lowering::run() {
   makePrograms();
   program_.target = Target(static_cast<Cpu>(firstIecCpu), Edition::Iec);
   chooseMachine();
-  nameVariables();
   freeUnwrittenGlobals();
+  freeAccessed();
+  nameVariables();
   freeNamedVariables();
   nameOperands();
   program_.data.push_back({0, initial_, {}});
@@ -86,8 +87,6 @@ std::optional<std::uint32_t> Lowering::located(const VariableSyntax& syntax, con
 }
 
 Variable Lowering::makeVariable(const VariableSyntax& syntax, const std::string& path) {
-  if (syntax.edge != EdgeOf::None)
-    refuse(syntax.span, "R_EDGE and F_EDGE are not modelled: call R_TRIG or F_TRIG", Syntax::IecNotModelled);
   if (syntax.isRetain) {
     const std::uint32_t first = next_;
     VariableSyntax plain = syntax;
@@ -145,6 +144,8 @@ Variable Lowering::makeVariable(const VariableSyntax& syntax, const std::string&
     made.offset = allocate(made.type->bytes);
   }
   initialize(*made.type, made.offset, initial);
+  if (syntax.type->form == TypeForm::Named && foldedName(syntax.type->name).starts_with(panelPrefix))
+    freeVariable(*made.type, made.offset, syntax.span);
   return made;
 }
 
@@ -177,9 +178,13 @@ void Lowering::initialize(const Type& type, std::uint32_t offset, const Initial*
     }
     return;
   }
+  if (isText(&type)) {
+    if (initial != nullptr && initial->value != nullptr) writeTextInitial(offset, type.bytes, *initial->value);
+    return;
+  }
   if (!type.isValue()) return;
   if (initial == nullptr || initial->value == nullptr) {
-    if (type.low > 0 || type.high < 0)
+    if (!type.isLong() && (type.low > 0 || type.high < 0))
       writeInitial(type, offset, {&type, type.low});
     else if (type.kind == Kind::Enum && !type.items.empty())
       writeInitial(type, offset, {&type, type.items[0].second});
@@ -198,8 +203,11 @@ void Lowering::initialize(const Type& type, std::uint32_t offset, const Initial*
 
 void Lowering::writeInitial(const Type& type, std::uint32_t offset, const Value& value) {
   std::uint64_t bits = static_cast<std::uint64_t>(value.number);
-  if (type.kind == Kind::Real && !value.isReal && (value.type == nullptr || value.type->kind != Kind::Real))
-    bits = std::bit_cast<std::uint32_t>(static_cast<float>(value.number));
+  if (type.kind == Kind::Real) {
+    const double real = value.isReal ? value.real : static_cast<double>(value.number);
+    bits = static_cast<std::uint64_t>(realPattern(real, type.width));
+  }
+  if (type.kind == Kind::Time && type.isLong() && value.type != nullptr && !value.type->isLong()) bits *= 1'000'000;
   for (std::uint32_t i = 0; i < type.bytes; ++i)
     initial_[offset + i] = static_cast<std::uint8_t>(bits >> (8 * (type.bytes - 1 - i)));
 }
@@ -234,8 +242,17 @@ BlockInstance* Lowering::makeInstance(const BlockSyntax& block, std::string path
         made.names[name] = formal;
         continue;
       }
-      if (!made.names.emplace(name, makeVariable(variable, made.path)).second)
+      const auto [at, isNew] = made.names.emplace(name, makeVariable(variable, made.path));
+      if (!isNew)
         error(Syntax::IecName, variable.span, fmt::format("two variables are named {}", excerpt(variable.name)));
+      // What an output of a library's block begins with nobody knows.
+      if (isNew && block.isContract && at->second.type->kind != Kind::Block)
+        freeVariable(*at->second.type, at->second.offset, variable.span);
+      if (isNew && variable.edge != EdgeOf::None) {
+        if (at->second.type->kind != Kind::Bool) refuse(variable.span, "R_EDGE and F_EDGE belong to a BOOL");
+        made.edges[name] = {at->second.offset, allocate(1), variable.edge == EdgeOf::Rising};
+        at->second.offset = allocate(1);
+      }
     } catch (const Refused&) {
     }
   }
@@ -261,14 +278,39 @@ BlockInstance* Lowering::functionNamed(const std::string& name) {
   return made;
 }
 
+/// At the begin of a body: inputs with R_EDGE or F_EDGE show an edge of what is given, as R_TRIG and F_TRIG find it.
+void Lowering::findEdges(const BlockInstance& instance) {
+  const Type& boolean = *elementaryType("BOOL");
+  for (const auto& [name, edge] : instance.edges) {
+    const auto given = [&] {
+      load(boolean, edge.given);
+      if (!edge.isRising) emit("NOT", {1});
+    };
+    given();
+    load(boolean, edge.memory);
+    emit("NOT", {1});
+    emit("AND", {1});
+    store(boolean, instance.names.at(name).offset);
+    given();
+    store(boolean, edge.memory);
+  }
+}
+
 /// Locals of functions and VAR_TEMP begin anew in every call.
 void Lowering::freshLocals(Scope& scope) {
+  findEdges(*scope.self);
   const BlockSyntax& block = *scope.self->block;
   const bool isFunction = block.kind == BlockKind::Function;
   const auto fresh = [&](auto&& self, const Type& type, std::uint32_t offset) -> void {
+    if (isText(&type)) {
+      const TextAt start = freshText(type.bytes);
+      std::copy_n(initial_.begin() + offset, type.bytes, initial_.begin() + start.offset);
+      return emitTexts("COPY.TEXT", {start, {offset, type.bytes}});
+    }
     if (type.isValue()) {
       std::int64_t value = 0;
-      for (std::uint32_t i = 0; i < type.bytes; ++i) value = value << 8 | initial_[offset + i];
+      for (std::uint32_t i = 0; i < type.bytes; ++i)
+        value = static_cast<std::int64_t>(static_cast<std::uint64_t>(value) << 8 | initial_[offset + i]);
       constant(value, type.width);
       return store(type, offset);
     }
@@ -427,6 +469,7 @@ void buildIecProgram(Program& program, ProjectSyntax& project) {
   if (project.isEmpty()) return;
   const std::uint32_t file = project.blocks.empty() ? 0 : project.blocks[0].span.file;
   addStandardBlocks(program, project);
+  addContracts(program, project);
   Lowering(program, project, file).run();
   program.syntax = std::make_shared<const ProjectSyntax>(std::move(project));
 }

@@ -36,6 +36,17 @@ struct BlockInstance {
   /// Of a timer: the greatest PT that is given, as far as only constants are; nothing: any.
   std::optional<std::int64_t> longestPreset = 0;
   bool isCalled = false;
+  /// Inputs with R_EDGE or F_EDGE: `names` has what the body sees, here stands what the caller gives.
+  struct EdgeInput {
+    std::uint32_t given, memory;
+    bool isRising;
+  };
+  std::map<std::string, EdgeInput> edges;
+  /// The place at which a caller writes a variable, and outsiders read it.
+  std::uint32_t placeFromOutside(const std::string& folded) const {
+    const auto edge = edges.find(folded);
+    return edge != edges.end() ? edge->second.given : names.at(folded).offset;
+  }
   std::optional<std::uint32_t> enabled;  ///< place of ENO, where the project reads it as a part of an instance
   std::map<std::string, int> actions;    ///< numbers of their subroutines
 };
@@ -49,12 +60,15 @@ struct Reference {
     std::int64_t low;
     std::uint32_t count, stride;
   };
-  std::vector<Index> indices;  ///< computed ones
-  std::optional<std::uint32_t> bit;
+  std::vector<Index> indices;        ///< computed ones
+  std::optional<std::uint32_t> bit;  ///< the lowest of a part of the value
+  const Type* partType = nullptr;    ///< of that part
   std::optional<Value> constant;
   BlockInstance* instance = nullptr;
   const VariableSyntax* declared = nullptr;
   BlockInstance* owner = nullptr;  ///< the instance whose variable it is
+
+  const Type& valueType() const { return bit ? *partType : *type; }
 };
 
 class Lowering {
@@ -71,6 +85,7 @@ class Lowering {
     BlockInstance* self = nullptr;
     std::map<std::string, Reference> inOuts;
     std::vector<std::pair<int, int>> loops;  ///< labels of EXIT and CONTINUE
+    std::map<std::string, int> labels;       ///< of a drawing
     int returnLabel = -1;                    ///< of a body that is written out; -1: RET
     int faultLabel = -1;                     ///< where a fault in what is tried goes on; -1: it ends the scan
     Scope* caller = nullptr;
@@ -91,6 +106,7 @@ class Lowering {
   void nameOperands();
   void nameVariable(const std::string& name, const Variable& variable, const std::string& alias);
   void nameValue(const std::string& name, const Type& type, std::uint32_t offset, const std::string& alias);
+  void nameText(const std::string& name, const Type& type, std::uint32_t offset, const std::string& alias);
   void makeRoutine(BlockInstance& instance);
   void makeAction(BlockInstance& instance, const ActionSyntax& action);
   void writeRoutine(Pou pou, Scope& scope, const Statements& body);
@@ -98,6 +114,7 @@ class Lowering {
   std::optional<Operands> placesOf(Scope& scope, const Expr& target);
   static bool calls(const Expr& expr);
   void freshLocals(Scope& scope);
+  void findEdges(const BlockInstance& instance);
   void chooseMachine();
   void error(Syntax code, Span span, std::string message);
   [[noreturn]] void refuse(Span span, std::string message, Syntax code = Syntax::IecType);
@@ -109,6 +126,7 @@ class Lowering {
   void freeVariable(const Type& type, std::uint32_t offset, Span span);
   void freeNamedVariables();
   void freeUnwrittenGlobals();
+  void freeAccessed();
   void makeMain();
   void callProgram(std::size_t number);
   void callTasks(const std::vector<std::size_t>& order);
@@ -118,6 +136,7 @@ class Lowering {
   void emitPlace(std::string_view mnemonic, const Type& type, std::uint32_t offset);
   void load(const Type& type, std::uint32_t offset);
   void store(const Type& type, std::uint32_t offset);
+  void noteWritten(std::uint32_t byte);
   void constant(std::int64_t value, int width);
   int newLabel() { return nextLabel_++; }
   void label(int number) { emit("LBL", {number}); }
@@ -136,6 +155,9 @@ class Lowering {
   void statements(Scope& scope, const Statements& list);
   void statement(Scope& scope, const Statement& statement);
   void assign(Scope& scope, const Statement& statement);
+  void assignWhole(Scope& scope, const Reference& target, const Expr& value);
+  void jumpStatement(Scope& scope, const Statement& statement);
+  int labelNamed(Scope& scope, const Expr& name);
   void branches(Scope& scope, const Statement& statement);
   void caseOf(Scope& scope, const Statement& statement);
   void caseLabel(const CaseLabel& label, const Type& type, std::uint32_t selector);
@@ -178,6 +200,38 @@ class Lowering {
   std::optional<Operands> writtenByLine(Scope& scope, const Statement& one);
   bool isInstanceNamed(Scope& scope, const Expr& expr);
 
+  // iec_contracts.cpp
+  void callContract(Scope& scope, BlockInstance& instance, const Expr& call);
+
+  // iec_conversions.cpp
+  const Type* conversion(Scope& scope, const std::string& name, const Expr& expr);
+  void convert(const Type& from, const Type& to, bool cuts, Span span);
+  void fromDuration(const Type& from, const Type& to, Span span);
+  void toDuration(const Type& from, const Type& to, Span span);
+  void fromBcd();
+  void toBcd();
+
+  // iec_texts.cpp
+  /// Where a text lies; `bytes` with that of its length.
+  struct TextAt {
+    std::uint32_t offset = 0, bytes = 0;
+  };
+  TextAt text(Scope& scope, const Expr& expr);
+  TextAt textFunction(Scope& scope, const std::string& name, const Expr& expr);
+  TextAt freshText(std::uint32_t bytes);
+  void writeTextInitial(std::uint32_t offset, std::uint32_t bytes, const Expr& literal);
+  void copyText(Scope& scope, const TextAt& from, const Reference& to, Span span);
+  void compareTexts(Scope& scope, const std::string& op, const Expr& left, const Expr& right);
+  void emitTexts(std::string_view mnemonic, std::initializer_list<TextAt> texts);
+
+  // iec_calendar.cpp
+  static const Type* calendarResult(std::string_view op, const Type* left, const Type* right);
+  const Type* calendarSum(Scope& scope, const std::string& op, const Expr& left, const Expr& right, Span span);
+  void convertDate(const Type& from, const Type& to, Span span);
+  const Type* scaledDuration(Scope& scope, const std::string& op, const Expr& left, const Expr& right, Span span);
+  const Type* realTypeOf(Scope& scope, const Expr& expr);
+  const Type* power(Scope& scope, const Expr& base, const Expr& exponent);
+
   // iec_expressions.cpp
   Reference reference(Scope& scope, const Expr& path, bool mayBeMissing = false);
   const Variable* find(Scope& scope, const std::string& folded, BlockInstance*& owner);
@@ -185,6 +239,7 @@ class Lowering {
   void indexStep(Reference& at, const PathPart& part);
   /// The type without a wish; nullptr: a number literal, which takes any type.
   const Type* typeOf(Scope& scope, const Expr& expr);
+  static const Type* durationOf(const Type* left, const Type* right);
   const Type* common(const Type* left, const Type* right, const Type* wanted, Span span);
   /// Pushes the value as a `wanted`; nullptr: as its own type. Gives the type of what was pushed.
   const Type* value(Scope& scope, const Expr& expr, const Type* wanted);
@@ -204,10 +259,7 @@ class Lowering {
   const Type* standardCall(Scope& scope, const std::string& name, const Expr& expr, const Type* wanted);
   bool isStandard(const std::string& name) const;
   const Type* ownFunction(Scope& scope, BlockInstance& function, const Expr& expr);
-  const Type* conversion(Scope& scope, const std::string& name, const Expr& expr);
-  void convert(const Type& from, const Type& to, bool cuts, Span span);
-  void fromDuration(const Type& to, Span span);
-  void toDuration(const Type& from, Span span);
+  const Variable& runFunction(Scope& scope, BlockInstance& function, const Expr& expr);
   const Type* ownTypeOf(Scope& scope, const std::vector<const Expr*>& values, Span span);
   const Type* commonOf(Scope& scope, const std::vector<const Expr*>& values, const Type* wanted, Span span);
   std::vector<const Expr*> plainArguments(const Expr& expr, std::initializer_list<std::string_view> names) const;
@@ -220,10 +272,19 @@ class Lowering {
   std::map<std::string, const BlockSyntax*> blocks_;
   std::map<std::string, BlockInstance*> functions_;
   std::map<std::string, Variable> globals_;
+  struct TaskEvent {
+    const TaskSyntax* task = nullptr;
+    std::uint32_t memory = 0, due = 0;  ///< places
+  };
+  std::deque<TaskEvent> events_;
+  TaskEvent* eventOf(const TaskSyntax& task);
+  void askEvents();
   /// A program with what the configuration says of it.
   struct ProgramRun {
     const InstanceSyntax* instance = nullptr;
     std::int64_t priority = 0;  ///< 0: highest
+    const TaskEvent* event = nullptr;
+    bool isCyclic = false;
     std::uint32_t every = 1;    ///< scans from one run to the next
     std::uint32_t counter = 0;  ///< place of the scans since, where `every` is more than 1
   };
@@ -233,6 +294,7 @@ class Lowering {
   std::vector<std::pair<BlockInstance*, std::int64_t>> steps_;  ///< of charts, with VariableSyntax::longestClock
   std::set<const ActionSyntax*> openActions_;
   std::map<std::string, std::uint32_t> places_;  ///< by address in capitals
+  std::map<std::string, TextAt> literalTexts_;   ///< as written
   std::vector<std::pair<std::string, std::uint32_t>> addressNames_;
   struct Freed {
     std::uint32_t offset, bytes;
@@ -252,6 +314,9 @@ class Lowering {
   static constexpr std::uint32_t mostBytes = 1U << 20;
 };
 
+/// The type that a conversion of that name gives (INT_TO_REAL), in capitals; nullptr: it is none.
+const Type* conversionTarget(const std::string& name);
+bool isText(const Type* type);
 /// Whether the standard has a function of that name, in capitals.
 bool isStandardFunction(const std::string& folded);
 /// Whether it has no result for some values: SQRT, MUX, conversions of REAL.
@@ -260,6 +325,8 @@ bool isPartialFunction(const std::string& folded);
 bool isComparisonFunction(const std::string& folded);
 /// Makes the program of everything that the files hold; the tree becomes Program::syntax.
 void buildIecProgram(Program& program, ProjectSyntax& project);
+/// Appends blocks for the instances whose block no file has (BlockSyntax::isContract).
+void addContracts(Program& program, ProjectSyntax& project);
 /// Appends the blocks of the standard that the project does not have itself.
 void addStandardBlocks(Program& program, ProjectSyntax& project);
 

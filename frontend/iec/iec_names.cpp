@@ -26,17 +26,24 @@ void Lowering::nameValue(const std::string& name, const Type& type, std::uint32_
       nameValue(name + "." + field.name, *field.type, offset + field.offset, alias + "." + field.name);
     return;
   }
+  if (isText(&type)) return nameText(name, type, offset, alias);
   if (!type.isValue()) return;
-  const Width width = type.width == 1    ? Width::Bit
-                      : type.width == 8  ? Width::Byte
-                      : type.width == 16 ? Width::Word
-                                         : Width::DWord;
-  const Operand place = direct(Area::V, width, offset);
+  const Operand place = direct(Area::V, widthOfBits(type.width), offset);
   program_.symbols.push_back({name, place, "", {}});
   if (alias != name) program_.symbols.push_back({alias, place, "", {}});
   program_.valueTypes[offset] = type.kind == Kind::Real ? ValueType::Real
                                 : type.isSigned         ? ValueType::Signed
                                                         : ValueType::Unsigned;
+}
+
+/// A text is known by its length; one that is free by its characters too, so that runs can show and repeat it.
+void Lowering::nameText(const std::string& name, const Type& type, std::uint32_t offset, const std::string& alias) {
+  const Type& byte = *elementaryType("USINT");
+  nameValue(name + ".length", byte, offset, alias + ".length");
+  const bool isFree =
+      std::ranges::any_of(freed_, [&](const Freed& f) { return f.offset <= offset && offset < f.offset + f.bytes; });
+  for (std::uint32_t i = 1; isFree && i < type.bytes; ++i)
+    nameValue(fmt::format("{}[{}]", name, i), byte, offset + i, fmt::format("{}[{}]", alias, i));
 }
 
 void Lowering::nameVariable(const std::string& name, const Variable& variable, const std::string& alias) {
@@ -47,7 +54,9 @@ void Lowering::nameVariable(const std::string& name, const Variable& variable, c
       if (found == instance.names.end() || member.section == Section::External || member.section == Section::InOut)
         continue;
       if (instance.block->isLibrary && instance.block->name == "__STEP" && member.section != Section::Output) continue;
-      nameVariable(at + "." + member.name, found->second, other + "." + member.name);
+      Variable seen = found->second;
+      seen.offset = instance.placeFromOutside(found->first);
+      nameVariable(at + "." + member.name, seen, other + "." + member.name);
     }
   };
   if (variable.instance != nullptr) return members(*variable.instance, name, alias);
@@ -79,7 +88,9 @@ void Lowering::nameVariables() {
       const auto found = program->names.find(foldedName(variable.name));
       if (found == program->names.end() || variable.section == Section::External) continue;
       const std::string full = program->path + "." + variable.name;
-      nameVariable(uses[foldedName(variable.name)] > 1 ? full : variable.name, found->second, full);
+      Variable seen = found->second;
+      seen.offset = program->placeFromOutside(found->first);
+      nameVariable(uses[foldedName(variable.name)] > 1 ? full : variable.name, seen, full);
     }
   }
   for (const auto& [name, function] : functions_) {

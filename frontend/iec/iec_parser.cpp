@@ -2,7 +2,6 @@
 #include "frontend/iec/iec_parser.hpp"
 
 #include <cctype>
-#include <cmath>
 #include <cstdlib>
 #include <map>
 
@@ -10,23 +9,30 @@
 
 namespace rungproof::iec {
 
-std::optional<std::int64_t> millisecondsOf(std::string_view text) {
-  static constexpr std::pair<std::string_view, std::int64_t> units[] = {
-      {"D", 86'400'000'000}, {"H", 3'600'000'000}, {"M", 60'000'000}, {"S", 1'000'000}, {"MS", 1000}, {"US", 1}};
+std::optional<std::int64_t> nanosecondsOf(std::string_view text) {
+  static constexpr std::pair<std::string_view, std::int64_t> units[] = {{"D", 86'400'000'000'000},
+                                                                        {"H", 3'600'000'000'000},
+                                                                        {"M", 60'000'000'000},
+                                                                        {"S", 1'000'000'000},
+                                                                        {"MS", 1'000'000},
+                                                                        {"US", 1000},
+                                                                        {"NS", 1}};
   bool isNegative = false;
   if (!text.empty() && (text[0] == '-' || text[0] == '+')) {
     isNegative = text[0] == '-';
     text.remove_prefix(1);
   }
   if (text.empty()) return std::nullopt;
-  double microseconds = 0;
+  std::int64_t nanoseconds = 0;
   std::size_t last = 0, at = 0;
   while (at < text.size()) {
-    std::string digits;
-    while (at < text.size() &&
-           (std::isdigit(static_cast<unsigned char>(text[at])) != 0 || text[at] == '.' || text[at] == '_')) {
-      if (text[at] != '_') digits += text[at];
-      ++at;
+    std::string digits, fraction;
+    bool isFraction = false;
+    for (; at < text.size() &&
+           (std::isdigit(static_cast<unsigned char>(text[at])) != 0 || text[at] == '.' || text[at] == '_');
+         ++at) {
+      if (text[at] == '.' && std::exchange(isFraction, true)) return std::nullopt;
+      if (text[at] != '_' && text[at] != '.') (isFraction ? fraction : digits) += text[at];
     }
     const std::size_t first = at;
     while (at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0) ++at;
@@ -34,16 +40,30 @@ std::optional<std::int64_t> millisecondsOf(std::string_view text) {
     std::size_t row = last;
     while (row < std::size(units) && units[row].first != unit) ++row;
     if (digits.empty() || row == std::size(units)) return std::nullopt;
-    if (digits.find('.') != std::string::npos && at < text.size()) return std::nullopt;
+    if (isFraction && at < text.size()) return std::nullopt;
     last = row + 1;
-    microseconds += std::strtod(digits.c_str(), nullptr) * static_cast<double>(units[row].second);
+    std::int64_t share = units[row].second, whole = 0;
+    for (const char c : digits) {
+      if (__builtin_mul_overflow(whole, 10, &whole) || __builtin_add_overflow(whole, c - '0', &whole))
+        return std::nullopt;
+    }
+    if (__builtin_mul_overflow(whole, share, &whole) || __builtin_add_overflow(nanoseconds, whole, &nanoseconds))
+      return std::nullopt;
+    for (const char c : fraction) {
+      if (share % 10 != 0 && c != '0') return std::nullopt;
+      share /= 10;
+      nanoseconds += (c - '0') * share;
+    }
     while (at < text.size() && text[at] == '_') ++at;
   }
-  const double rounded = std::round(microseconds), milliseconds = rounded / 1000;
-  if (std::abs(microseconds - rounded) > 1e-3 || std::trunc(milliseconds) != milliseconds ||
-      milliseconds > 2147483647.0)
-    return std::nullopt;
-  return static_cast<std::int64_t>(isNegative ? -milliseconds : milliseconds);
+  return isNegative ? -nanoseconds : nanoseconds;
+}
+
+std::optional<std::int64_t> millisecondsOf(std::string_view text) {
+  const auto nanoseconds = nanosecondsOf(text);
+  if (!nanoseconds || *nanoseconds % 1'000'000 != 0) return std::nullopt;
+  const std::int64_t milliseconds = *nanoseconds / 1'000'000;
+  return std::abs(milliseconds) <= 2147483647 ? std::optional(milliseconds) : std::nullopt;
 }
 
 namespace {
@@ -119,6 +139,9 @@ class ProjectParser : private ChartParser {
     } else {
       made->name = name("a type");
       while (accept(".")) made->name += "." + name("a type");
+      const std::string word = foldedName(made->name);
+      if ((word == "POINTER" || word == "REFERENCE") && accept("TO")) type();
+      if (word == "REF_TO") type();
       if (is("(") && peek(1).kind != TokenKind::Word) {
         take();
         made->low = expression();
@@ -284,6 +307,8 @@ class ProjectParser : private ChartParser {
       if (isEnd()) fail("END_CONFIGURATION is needed here, the text ends");
       if (is("VAR_GLOBAL")) {
         variables(project_.globals);
+      } else if (accept("VAR_ACCESS")) {
+        accessPaths();
       } else if (accept("RESOURCE")) {
         name("the name of the resource");
         if (accept("ON")) name("the type of the resource");
@@ -298,6 +323,26 @@ class ProjectParser : private ChartParser {
     }
   }
 
+  /// `name : RES.PROG.var : TYPE READ_WRITE;`
+  void accessPaths() {
+    while (!accept("END_VAR")) {
+      if (isEnd()) fail("END_VAR is needed here, the text ends");
+      AccessSyntax made;
+      const std::uint32_t begin = peek().begin;
+      name("the name of a path");
+      expect(":");
+      made.path = expression();
+      expect(":");
+      type();
+      const bool writes = accept("READ_WRITE");
+      if (!writes) accept("READ_ONLY");
+      made.span = spanFrom(begin);
+      expect(";");
+      if (writes) project_.accesses.push_back(std::move(made));
+    }
+    accept(";");
+  }
+
   void task() {
     TaskSyntax made;
     const std::uint32_t begin = peek().begin;
@@ -306,14 +351,14 @@ class ProjectParser : private ChartParser {
     do {
       const std::string word = foldedName(name("INTERVAL, SINGLE or PRIORITY"));
       expect(":=");
-      const ExprPtr value = expression();
+      ExprPtr value = expression();
       if (word == "INTERVAL") {
         made.intervalMs = value->kind == ExprKind::Literal ? millisecondsOf(value->text) : std::nullopt;
         if (!made.intervalMs || *made.intervalMs <= 0) fail("the interval is no duration of whole milliseconds");
       } else if (word == "PRIORITY") {
         made.priority = std::strtoll(value->text.c_str(), nullptr, 10);
       } else if (word == "SINGLE") {
-        made.isSingle = true;
+        made.single = std::move(value);
       } else {
         fail(fmt::format("a task has no {}", excerpt(word)));
       }

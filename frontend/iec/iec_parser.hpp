@@ -19,5 +19,7 @@ ExprPtr parseExpression(const SourceText& source, SyntaxSink& sink);
 /// ms of "T#1s" without its prefix: "1s", "1d2h3m4s5.6ms"; nothing if it cannot be read, has parts of a millisecond, or
 /// does not fit into 32 bits.
 std::optional<std::int64_t> millisecondsOf(std::string_view text);
+/// The same in ns: exact, up to 292 years.
+std::optional<std::int64_t> nanosecondsOf(std::string_view text);
 
 }  // namespace rungproof::iec

@@ -8,6 +8,7 @@
 #include "frontend/iec/iec_drawing.hpp"
 #include "frontend/iec/iec_parser.hpp"
 #include "frontend/iec/iec_plcopen_chart.hpp"
+#include "frontend/iec/iec_rungs.hpp"
 #include "frontend/plcopen/plcopen_reader.hpp"
 #include "frontend/plcopen/plcopen_shapes.hpp"
 #include "frontend/stl/directive.hpp"
@@ -108,10 +109,13 @@ class PlcopenText : private PlcopenBodies {
     for (const pugi::xml_node& child : node.children()) {
       const std::string_view name = localName(child);
       if (name == "interface") readInterface(child, made);
-      if (name == "body" && ++bodies == 1) readBody(child, made);
+      if (name == "body") {  // several worksheets: one behind the other
+        ++bodies;
+        readBody(child, made);
+      }
     }
     readActions(childNamed(node, "actions"), made);
-    if (bodies != 1) made.unread = bodies == 0 ? "no language" : "several bodies";
+    if (bodies == 0) made.unread = "no language";
     sink_.setPlace("", 0);
     project_.blocks.push_back(std::move(made));
   }
@@ -267,7 +271,8 @@ class PlcopenText : private PlcopenBodies {
     TaskSyntax made;
     made.span = xml_.span(*part_, node);
     made.name = node.attribute("name").value();
-    made.isSingle = !std::string_view(node.attribute("single").value()).empty();
+    if (const std::string single = node.attribute("single").value(); !single.empty())
+      made.single = expression(single, node);
     std::string interval = foldedName(node.attribute("interval").value());
     if (interval.starts_with("T#")) {
       made.intervalMs = millisecondsOf(std::string_view(interval).substr(2));
@@ -281,10 +286,10 @@ class PlcopenText : private PlcopenBodies {
       error(node, fmt::format("the interval {} of a task cannot be read", excerpt(interval)));
       made.intervalMs.reset();
     }
-    project_.tasks.push_back(made);
     for (const pugi::xml_node& child : node.children()) {
       if (localName(child) == "pouInstance") taskOf_[child.hash_value()] = made.name;
     }
+    project_.tasks.push_back(std::move(made));
   }
 
   void readInstance(const pugi::xml_node& node) {
@@ -328,6 +333,10 @@ class PlcopenText : private PlcopenBodies {
       if (language == "documentation" || language == "addData") continue;
       if (++languages == 2)
         error(child, fmt::format("the body of {} has a second language; which of them runs is not known", block.name));
+      if (language == "LD" && holdsRungs(child)) {
+        for (Statement& s : rungStatements(*this, child, block)) block.body.push_back(std::move(s));
+        continue;
+      }
       if (language == "LD" || language == "FBD") {
         readDrawing(child, block);
         continue;

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "frontend/iec/iec_lowering.hpp"
+#include "frontend/iec/iec_tree.hpp"
 
 namespace rungproof::iec {
 
@@ -21,6 +22,31 @@ void Lowering::freeNamedVariables() {
         std::ranges::find_if(freed_, [&](const Freed& f) { return f.offset <= offset && offset < f.offset + f.bytes; });
     if (range == freed_.end() || !seen.insert(offset).second) continue;
     program_.directives.push_back({"external " + symbol.name, range->span, -1, 0});
+  }
+}
+
+/// Variables that VAR_ACCESS gives to others for writing.
+void Lowering::freeAccessed() {
+  Scope outside;
+  for (const AccessSyntax& access : project_.accesses) {
+    try {
+      Expr path;
+      path.kind = ExprKind::Path;
+      path.span = access.path->span;
+      const auto isProgram = [&](const PathPart& part) {
+        return std::ranges::any_of(
+            programs_, [&](const BlockInstance* p) { return foldedName(p->path) == foldedName(part.name); });
+      };
+      const ExprPtr whole = copyOf(*access.path);
+      // In front of the program or the global variable stands the resource.
+      const std::size_t first = whole->parts.size() > 1 && !isProgram(whole->parts[0]) ? 1 : 0;
+      for (std::size_t i = first; i < whole->parts.size(); ++i) path.parts.push_back(std::move(whole->parts[i]));
+      const Reference at = reference(outside, path);
+      if (!at.indices.empty() || at.instance != nullptr || at.constant)
+        refuse(access.span, "such a path is not modelled", Syntax::IecNotModelled);
+      freeVariable(*at.type, at.offset, access.span);
+    } catch (const Refused&) {
+    }
   }
 }
 
@@ -50,10 +76,33 @@ void Lowering::checkTasks(const std::vector<const InstanceSyntax*>& instances) {
   for (const InstanceSyntax* instance : instances) {
     const TaskSyntax* task = taskOf(*instance);
     if (task == nullptr) continue;
-    if (task->isSingle) error(Syntax::IecNotModelled, task->span, "tasks that an event starts are not modelled");
     if (task->intervalMs) interval = std::gcd(interval, *task->intervalMs);
   }
   if (interval > 0) program_.taskMs = static_cast<std::uint32_t>(std::min<std::int64_t>(interval, 0x7FFFFFFF));
+}
+
+/// The event of a task: it is asked once in a scan, for all programs of the task.
+Lowering::TaskEvent* Lowering::eventOf(const TaskSyntax& task) {
+  for (TaskEvent& event : events_) {
+    if (event.task == &task) return &event;
+  }
+  return &events_.emplace_back(TaskEvent{&task, allocate(1), allocate(1)});
+}
+
+/// Whether the event has come since the scan before: a rising edge, as R_TRIG finds it.
+void Lowering::askEvents() {
+  const Type& boolean = *elementaryType("BOOL");
+  Scope outside;
+  for (const TaskEvent& event : events_) {
+    const auto asked = [&] { valueAs(outside, *event.task->single, boolean); };
+    asked();
+    load(boolean, event.memory);
+    emit("NOT", {1});
+    emit("AND", {1});
+    store(boolean, event.due);
+    asked();
+    store(boolean, event.memory);
+  }
 }
 
 /// The instances that the configuration names; without one every program once; of blocks alone the only one.
@@ -80,11 +129,13 @@ void Lowering::makePrograms() {
                                  return foldedName(argument.name) == foldedName(variable.name);
                                });
       if (variable.address.empty() && !isConnected)
-        freeVariable(*found->second.type, found->second.offset, variable.span);
+        freeVariable(*found->second.type, made->placeFromOutside(found->first), variable.span);
     }
     ProgramRun run{instance};
     if (const TaskSyntax* task = instance != nullptr ? taskOf(*instance) : nullptr; task != nullptr) {
       run.priority = task->priority;
+      if (task->single != nullptr) run.event = eventOf(*task);
+      run.isCyclic = task->intervalMs.has_value();
       if (task->intervalMs) run.every = static_cast<std::uint32_t>(*task->intervalMs / *program_.taskMs);
       if (run.every > 1) run.counter = allocate(4);
     } else if (program_.taskMs) {
@@ -144,10 +195,18 @@ void Lowering::callProgram(std::size_t number) {
   const ProgramRun& run = runs_[number];
   const int skip = newLabel();
   const Type& counter = *elementaryType("UDINT");
-  if (run.every > 1) {
-    load(counter, run.counter);
-    constant(0, 32);
-    emit("EQ", {32, 0});
+  const bool isPeriodic = run.event == nullptr || run.isCyclic;
+  const bool mayWait = run.event != nullptr || run.every > 1;
+  if (mayWait) {
+    if (run.event != nullptr) load(*elementaryType("BOOL"), run.event->due);
+    if (isPeriodic && run.every > 1) {
+      load(counter, run.counter);
+      constant(0, 32);
+      emit("EQ", {32, 0});
+    } else if (isPeriodic) {
+      constant(1, 1);
+    }
+    if (run.event != nullptr && isPeriodic) emit("OR", {1});
     jumpIfFalse(skip);
   }
   Scope outside, inner;
@@ -158,7 +217,7 @@ void Lowering::callProgram(std::size_t number) {
   emit("CAL", {program.routine});
   if (run.instance != nullptr && run.instance->connections != nullptr)
     readOutputs(outside, program, *run.instance->connections);
-  if (run.every > 1) label(skip);
+  if (mayWait) label(skip);
 }
 
 void Lowering::callTasks(const std::vector<std::size_t>& order) {
@@ -200,6 +259,7 @@ void Lowering::makeMain() {
   std::vector<std::size_t> byPriority = declared;
   std::ranges::stable_sort(byPriority, {}, [&](std::size_t i) { return runs_[i].priority; });
   try {
+    askEvents();
     if (byPriority == declared) {
       callTasks(declared);
     } else {

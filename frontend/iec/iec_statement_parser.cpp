@@ -3,6 +3,7 @@
 #include "frontend/iec/iec_statement_parser.hpp"
 
 #include <array>
+#include <cctype>
 
 namespace rungproof::iec {
 
@@ -10,8 +11,14 @@ namespace {
 
 using Level = std::array<std::string_view, 4>;
 /// Loosest first.
-constexpr std::array<Level, 8> levels = {
-    {{"OR"}, {"XOR"}, {"AND", "&"}, {"=", "<>"}, {"<", ">", "<=", ">="}, {"+", "-"}, {"*", "/", "MOD"}, {"**"}}};
+constexpr std::array<Level, 8> levels = {{{"OR", "OR_ELSE"},
+                                          {"XOR"},
+                                          {"AND", "&", "AND_THEN"},
+                                          {"=", "<>"},
+                                          {"<", ">", "<=", ">="},
+                                          {"+", "-"},
+                                          {"*", "/", "MOD"},
+                                          {"**"}}};
 
 }  // namespace
 
@@ -87,7 +94,8 @@ Statement StatementParser::statement() {
   try {
     Statement made = plain();
     made.span = spanFrom(begin);
-    const bool isClosed = made.kind == StatementKind::Try;  // its last word ends it
+    // The last word of the one, and the brace of code in C, end them.
+    const bool isClosed = made.kind == StatementKind::Try || made.kind == StatementKind::Unread;
     if (!accept(";") && !isClosed && !endsStatements()) fail(fmt::format("';' is needed here{}", found()));
     return made;
   } catch (const Unreadable&) {
@@ -106,6 +114,7 @@ void StatementParser::skipStatement() {
 
 Statement StatementParser::plain() {
   Statement made;
+  const std::uint32_t begin = peek().begin;
   if (accept("IF")) {
     ifStatement(made);
   } else if (accept("CASE")) {
@@ -134,11 +143,31 @@ Statement StatementParser::plain() {
   } else if (accept("RETURN")) {
     made.kind = StatementKind::Return;
   } else {
+    if (peek().text.starts_with("{")) {
+      sink_.report(Syntax::IecNotModelled, source_.span(peek().begin, peek().end), "code in C is not modelled");
+      take();
+      accept(";");
+      made.kind = StatementKind::Unread;
+      return made;
+    }
     if (peek().kind != TokenKind::Word && peek().kind != TokenKind::Address)
       fail(fmt::format("a statement cannot begin with '{}'", excerpt(peek().text)));
     made.target = path();
     if (made.target->kind == ExprKind::Call) {
       made.kind = StatementKind::Call;
+    } else if ((is("S") || is("R")) && peek(1).text == "=") {  // S= and R=: set and reset where it is TRUE
+      const bool sets = is("S");
+      take();
+      take();
+      Branch branch;
+      branch.condition = expression();
+      Statement& inner = branch.body.emplace_back();
+      inner.target = std::move(made.target);
+      inner.value = std::make_unique<Expr>();
+      inner.value->text = sets ? "TRUE" : "FALSE";
+      inner.span = inner.value->span = spanFrom(begin);
+      made.kind = StatementKind::If;
+      made.branches.push_back(std::move(branch));
     } else {
       expectAssignment();
       made.kind = StatementKind::Assign;
@@ -288,26 +317,42 @@ ExprPtr StatementParser::path() {
   ExprPtr made = std::make_unique<Expr>();
   made->kind = ExprKind::Path;
   const IecToken& first = take();
-  made->parts.push_back({PathPart::Kind::Name, std::string(first.text), {}, 0, source_.span(first.begin, first.end)});
+  made->parts.push_back(
+      {PathPart::Kind::Name, std::string(first.text), {}, 0, 1, source_.span(first.begin, first.end)});
   for (;;) {
+    if (is("^")) {  // what a pointer points to: a part that no type has
+      const IecToken& part = take();
+      made->parts.push_back({PathPart::Kind::Name, "^", {}, 0, 1, source_.span(part.begin, part.end)});
+      continue;
+    }
     if (is("[")) {
       made->parts.push_back(indexPart());
     } else if (is(".") && peek(1).kind == TokenKind::Word) {
       take();
       const IecToken& part = take();
-      made->parts.push_back({PathPart::Kind::Name, std::string(part.text), {}, 0, source_.span(part.begin, part.end)});
+      made->parts.push_back(
+          {PathPart::Kind::Name, std::string(part.text), {}, 0, 1, source_.span(part.begin, part.end)});
     } else if (is(".") && (peek(1).kind == TokenKind::Number || peek(1).kind == TokenKind::Address)) {
       take();
       const IecToken& part = take();
       std::string_view digits = part.text;
-      if (part.kind == TokenKind::Address && digits.size() > 2 && (digits[1] == 'X' || digits[1] == 'x'))
-        digits.remove_prefix(2);
+      std::uint32_t bits = 1;
+      if (part.kind == TokenKind::Address && digits.size() > 2) {
+        switch (std::toupper(static_cast<unsigned char>(digits[1]))) {
+          case 'X': digits.remove_prefix(2); break;
+          case 'B': bits = 8, digits.remove_prefix(2); break;
+          case 'W': bits = 16, digits.remove_prefix(2); break;
+          case 'D': bits = 32, digits.remove_prefix(2); break;
+          default: break;
+        }
+      }
       if (digits.empty() || digits.size() > 2 || digits.find_first_not_of("0123456789") != std::string_view::npos) {
         report(fmt::format("'.{}' is no bit of a value", excerpt(part.text)), part);
         throw Unreadable{};
       }
-      PathPart bit{PathPart::Kind::Bit, {}, {}, 0, source_.span(part.begin, part.end)};
+      PathPart bit{PathPart::Kind::Bit, {}, {}, 0, bits, source_.span(part.begin, part.end)};
       for (const char c : digits) bit.bit = bit.bit * 10 + static_cast<std::uint32_t>(c - '0');
+      bit.bit *= bits;
       made->parts.push_back(std::move(bit));
     } else {
       break;
@@ -322,7 +367,7 @@ ExprPtr StatementParser::path() {
 }
 
 PathPart StatementParser::indexPart() {
-  PathPart part{PathPart::Kind::Index, {}, {}, 0, {}};
+  PathPart part{PathPart::Kind::Index, {}, {}, 0, 1, {}};
   const std::uint32_t begin = peek().begin;
   expect("[");
   do part.indices.push_back(expression());

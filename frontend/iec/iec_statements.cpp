@@ -50,10 +50,37 @@ void Lowering::statement(Scope& scope, const Statement& s) {
     case StatementKind::Return:
       if (scope.returnLabel >= 0) return jump(scope.returnLabel);
       return emit("RET");
+    case StatementKind::Jump: return jumpStatement(scope, s);
+    case StatementKind::Label: return label(labelNamed(scope, *s.target));
     case StatementKind::Try: return tryStatement(scope, s);
     case StatementKind::Line: listLabel(scope, *s.line); return listLine(scope, s);
     case StatementKind::Unread: loseResult(scope); throw Refused{};
   }
+}
+
+void Lowering::jumpStatement(Scope& scope, const Statement& s) {
+  const int target = labelNamed(scope, *s.target);
+  if (s.value == nullptr) return jump(target);
+  valueAs(scope, *s.value, *elementaryType("BOOL"));
+  emit("NOT", {1});
+  jumpIfFalse(target);
+}
+
+/// The number of a label of the body.
+int Lowering::labelNamed(Scope& scope, const Expr& name) {
+  const std::string folded = foldedName(name.parts[0].name);
+  const Statements& body = scope.action != nullptr ? scope.action->body : scope.self->block->body;
+  const auto isMeant = [&](const Statement& one) {
+    return one.kind == StatementKind::Label && foldedName(one.target->parts[0].name) == folded;
+  };
+  const auto count = std::ranges::count_if(body, isMeant);
+  if (count != 1)
+    refuse(name.span,
+           fmt::format("there {} {}", count == 0 ? "is no label" : "are two labels", excerpt(name.parts[0].name)),
+           Syntax::IecName);
+  const auto [at, isNew] = scope.labels.emplace(folded, 0);
+  if (isNew) at->second = newLabel();
+  return at->second;
 }
 
 void Lowering::assign(Scope& scope, const Statement& s) {
@@ -65,16 +92,7 @@ void Lowering::assign(Scope& scope, const Statement& s) {
   if (target.owner != nullptr && target.owner->block->name == "__STEP" && target.owner->block->isLibrary &&
       (scope.action == nullptr || !scope.action->isChart))
     refuse(s.target->span, fmt::format("{} is a step: only its chart writes it", excerpt(s.target->parts[0].name)));
-  if (target.type->kind == Kind::Array || target.type->kind == Kind::Struct) {
-    if (s.value->kind != ExprKind::Path) refuse(s.value->span, "only a variable of the same type can be assigned here");
-    const Reference source = reference(scope, *s.value);
-    const bool isSame = source.type == target.type ||
-                        (source.type->name == target.type->name && source.type->kind == Kind::Struct) ||
-                        (source.type->kind == Kind::Array && target.type->kind == Kind::Array &&
-                         source.type->element == target.type->element && source.type->bounds == target.type->bounds);
-    if (!isSame) refuse(s.value->span, fmt::format("{} is no {}", source.type->name, target.type->name));
-    return copy(scope, source, target);
-  }
+  if (!target.type->isValue()) return assignWhole(scope, target, *s.value);
   if (target.owner != nullptr && target.owner->block->isLibrary && scope.self != target.owner &&
       target.declared != nullptr && foldedName(target.declared->name) == "PT") {
     const auto preset = types_.integer(*s.value);
@@ -84,8 +102,32 @@ void Lowering::assign(Scope& scope, const Statement& s) {
   }
   if (const Argument* enable = enableOf(*s.value)) return assignWhereEnabled(scope, target, *s.value, *enable);
   prepareWrite(scope, target);
-  valueAs(scope, *s.value, target.bit ? *elementaryType("BOOL") : *target.type);
+  valueAs(scope, *s.value, target.valueType());
   writeReference(scope, target);
+}
+
+/// Arrays, structures and texts: of a variable, or what a function gives.
+void Lowering::assignWhole(Scope& scope, const Reference& target, const Expr& value) {
+  if (target.type->kind == Kind::Text) return copyText(scope, text(scope, value), target, value.span);
+  BlockInstance* function = value.kind == ExprKind::Call && value.parts.size() == 1
+                                ? functionNamed(foldedName(value.parts[0].name))
+                                : nullptr;
+  if (value.kind != ExprKind::Path && function == nullptr)
+    refuse(value.span, "only a variable of the same type can be assigned here");
+  Reference source;
+  if (function != nullptr) {
+    const Variable& result = runFunction(scope, *function, value);
+    source.type = result.type;
+    source.offset = result.offset;
+  } else {
+    source = reference(scope, value);
+  }
+  const bool isSame = source.type == target.type ||
+                      (source.type->name == target.type->name && source.type->kind == Kind::Struct) ||
+                      (source.type->kind == Kind::Array && target.type->kind == Kind::Array &&
+                       source.type->element == target.type->element && source.type->bounds == target.type->bounds);
+  if (!isSame) refuse(value.span, fmt::format("{} is no {}", source.type->name, target.type->name));
+  copy(scope, source, target);
 }
 
 void Lowering::branches(Scope& scope, const Statement& s) {
@@ -201,6 +243,7 @@ void Lowering::callStatement(Scope& scope, const Expr& call) {
       made.kind = part.kind;
       made.name = part.name;
       made.bit = part.bit;
+      made.bits = part.bits;
       made.span = part.span;
       for (const ExprPtr& index : part.indices) {
         const auto known = types_.integer(*index);
@@ -222,6 +265,11 @@ void Lowering::callStatement(Scope& scope, const Expr& call) {
     const Reference at = reference(scope, path);
     if (at.instance == nullptr) refuse(call.span, fmt::format("{} is no function block", excerpt(call.parts[0].name)));
     return callInstance(scope, *at.instance, call);
+  }
+  if (BlockInstance* function = call.parts.size() == 1 ? functionNamed(folded) : nullptr;
+      function != nullptr && !function->names.at(folded).type->isValue()) {
+    runFunction(scope, *function, call);
+    return;
   }
   const Type* type = this->call(scope, call, nullptr);
   if (type != nullptr) {  // the result is not used
@@ -289,8 +337,12 @@ void Lowering::callInstance(Scope& scope, BlockInstance& instance, const Expr& c
   }
   Scope inner;
   inner.self = &instance;
-  bindInputs(scope, instance, call, inner);
-  runBody(scope, instance, inner, call.span);
+  if (instance.block->isContract) {
+    callContract(scope, instance, call);
+  } else {
+    bindInputs(scope, instance, call, inner);
+    runBody(scope, instance, inner, call.span);
+  }
   readOutputs(scope, instance, call);
   tell(true);
   if (enable == nullptr) return;
@@ -337,23 +389,30 @@ void Lowering::bindInputs(Scope& scope, BlockInstance& instance, const Expr& cal
       continue;
     }
     if (instance.block->isLibrary && foldedName(formal->name) == "PT") {
-      const auto preset = types_.integer(*argument.value);
+      const auto known = types_.constant(*argument.value);
+      const bool isTime = known && known->type != nullptr && known->type->kind == Kind::Time;
+      const auto preset = isTime ? std::optional(known->number) : std::nullopt;
       instance.longestPreset =
           preset && instance.longestPreset ? std::optional(std::max(*instance.longestPreset, *preset)) : std::nullopt;
     }
     if (!variable.type->isValue()) {
-      if (argument.value->kind != ExprKind::Path) refuse(argument.span, "a variable is needed here");
-      const Reference actual = reference(scope, *argument.value);
-      if (actual.type != variable.type && actual.type->name != variable.type->name)
-        refuse(argument.span, fmt::format("{} is no {}", actual.type->name, variable.type->name));
       Reference target;
       target.type = variable.type;
       target.offset = variable.offset;
-      copy(scope, actual, target);
+      assignWhole(scope, target, *argument.value);
       continue;
     }
-    valueAs(scope, *argument.value, *variable.type);
-    store(*variable.type, variable.offset);
+    const bool isPreset = instance.block->isLibrary && variable.type->kind == Kind::Time;
+    const Type* given = isPreset ? typeOf(scope, *argument.value) : nullptr;
+    if (given != nullptr && given->kind == Kind::Integer) {
+      error(Syntax::IecSpelling, argument.span,
+            fmt::format("{} of {} is a TIME; the number is taken as {}_TO_TIME takes it", formal->name,
+                        instance.block->name, given->name));
+      convert(*value(scope, *argument.value, given), *variable.type, false, argument.span);
+    } else {
+      valueAs(scope, *argument.value, *variable.type);
+    }
+    store(*variable.type, instance.placeFromOutside(foldedName(formal->name)));
   }
   for (const VariableSyntax* input : inputs) {
     if (input->section == Section::InOut && !inner.inOuts.contains(foldedName(input->name)))
@@ -381,7 +440,7 @@ void Lowering::readOutputs(Scope& scope, BlockInstance& instance, const Expr& ca
     prepareWrite(scope, target);
     load(*source.type, source.offset);
     if (argument.isNegated) emit("NOT", {source.type->width});
-    convertImplicitly(*source.type, target.bit ? *elementaryType("BOOL") : *target.type, argument.span);
+    convertImplicitly(*source.type, target.valueType(), argument.span);
     writeReference(scope, target);
   }
 }

@@ -16,6 +16,7 @@ ExprPtr copyOf(const Expr& expr) {
     copy.kind = part.kind;
     copy.name = part.name;
     copy.bit = part.bit;
+    copy.bits = part.bits;
     copy.span = part.span;
     for (const ExprPtr& index : part.indices) copy.indices.push_back(copyOf(*index));
   }
@@ -39,7 +40,7 @@ ExprPtr pathOf(std::initializer_list<std::string_view> names, Span span) {
   made->kind = ExprKind::Path;
   made->span = span;
   for (const std::string_view name : names)
-    made->parts.push_back({PathPart::Kind::Name, std::string(name), {}, 0, span});
+    made->parts.push_back({PathPart::Kind::Name, std::string(name), {}, 0, 1, span});
   return made;
 }
 

@@ -1,9 +1,8 @@
-// Types and literals.
+// Types: their names, their places, constants that declarations name.
 #include "frontend/iec/iec_types.hpp"
 
 #include <bit>
-#include <charconv>
-#include <cstdlib>
+#include <limits>
 
 namespace rungproof::iec {
 
@@ -21,12 +20,26 @@ Type elementary(Kind kind, std::string_view name, int width, bool isSigned, std:
   return made;
 }
 
+/// Characters of a STRING without a length; implementations differ (80 is that of CODESYS).
+constexpr std::int64_t usualTextLength = 80;
+
+Type textType(std::int64_t length) {
+  Type made = elementary(Kind::Text, "STRING", 0, false, 0, length);
+  made.bytes = static_cast<std::uint32_t>(1 + length);
+  return made;
+}
+
 const std::map<std::string_view, Type>& elementaryTypes() {
   static const std::map<std::string_view, Type> all = [] {
     std::map<std::string_view, Type> made;
+    const auto of = [&](Kind kind, std::string_view name, int width, bool isSigned) {
+      constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
+      const std::int64_t top = width < 64 ? std::int64_t{1} << (isSigned ? width - 1 : width) : 0;
+      const std::int64_t low = !isSigned ? 0 : width < 64 ? -top : least;
+      made.emplace(name, elementary(kind, name, width, isSigned, low, width < 64 ? top - 1 : isSigned ? ~least : -1));
+    };
     const auto number = [&](std::string_view name, int width, bool isSigned) {
-      const std::int64_t top = std::int64_t{1} << (isSigned ? width - 1 : width);
-      made.emplace(name, elementary(Kind::Integer, name, width, isSigned, isSigned ? -top : 0, top - 1));
+      of(Kind::Integer, name, width, isSigned);
     };
     made.emplace("BOOL", elementary(Kind::Bool, "BOOL", 1, false, 0, 1));
     number("SINT", 8, true);
@@ -35,70 +48,33 @@ const std::map<std::string_view, Type>& elementaryTypes() {
     number("USINT", 8, false);
     number("UINT", 16, false);
     number("UDINT", 32, false);
-    for (const auto& [name, width] : {std::pair{"BYTE", 8}, {"WORD", 16}, {"DWORD", 32}})
-      made.emplace(name, elementary(Kind::BitString, name, width, false, 0, (std::int64_t{1} << width) - 1));
+    number("LINT", 64, true);
+    number("ULINT", 64, false);
+    for (const auto& [name, width] : {std::pair{"BYTE", 8}, {"WORD", 16}, {"DWORD", 32}, {"LWORD", 64}})
+      of(Kind::BitString, name, width, false);
     made.emplace("REAL", elementary(Kind::Real, "REAL", 32, true, 0, 0));
-    made.emplace("TIME", elementary(Kind::Time, "TIME", 32, true, -2147483648LL, 2147483647LL));
-    for (const std::string_view name : {"LINT",          "ULINT",
-                                        "LWORD",         "LREAL",
-                                        "LTIME",         "DATE",
-                                        "LDATE",         "TIME_OF_DAY",
-                                        "TOD",           "LTOD",
-                                        "DATE_AND_TIME", "DT",
-                                        "LDT",           "STRING",
-                                        "WSTRING",       "CHAR",
-                                        "WCHAR",         "POINTER",
-                                        "REF_TO",        "REFERENCE",
-                                        "ANY",           "__SYSTEM.EXCEPTIONCODE"})
+    made.emplace("LREAL", elementary(Kind::Real, "LREAL", 64, true, 0, 0));
+    of(Kind::Time, "TIME", 32, true);
+    of(Kind::Time, "LTIME", 64, true);
+    for (const std::string_view name : {"DATE", "TOD", "DT"}) of(Kind::Date, name, 32, false);
+    for (const std::string_view name : {"LDATE", "LTOD", "LDT"}) of(Kind::Date, name, 64, true);
+    for (const auto& [name, same] : {std::pair{"TIME_OF_DAY", "TOD"},
+                                     {"DATE_AND_TIME", "DT"},
+                                     {"LTIME_OF_DAY", "LTOD"},
+                                     {"LDATE_AND_TIME", "LDT"}})
+      made.emplace(name, made.at(same));
+    made.emplace("STRING", textType(usualTextLength));
+    for (const std::string_view name :
+         {"WSTRING", "CHAR", "WCHAR", "POINTER", "REF_TO", "REFERENCE", "ANY", "__SYSTEM.EXCEPTIONCODE"})
       made.emplace(name, elementary(Kind::Unsupported, name, 0, false, 0, 0));
+    // Variables that a panel of Beremiz shows and sets have types of their own.
+    static constexpr std::string_view panels[] = {"HMI_BOOL",  "HMI_SINT",   "HMI_INT",   "HMI_DINT",  "HMI_LINT",
+                                                  "HMI_USINT", "HMI_UINT",   "HMI_UDINT", "HMI_ULINT", "HMI_REAL",
+                                                  "HMI_LREAL", "HMI_STRING", "HMI_BYTE",  "HMI_WORD",  "HMI_DWORD"};
+    for (const std::string_view name : panels) made.emplace(name, made.at(name.substr(panelPrefix.size())));
     return made;
   }();
   return all;
-}
-
-/// Digits of a number in some base, without underscores.
-std::optional<std::int64_t> digitsOf(std::string_view text, int base) {
-  std::string digits;
-  for (const char c : text) {
-    if (c != '_') digits += c;
-  }
-  std::uint64_t value = 0;
-  const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value, base);
-  if (digits.empty() || result.ec != std::errc() || result.ptr != digits.data() + digits.size() || value > 0xFFFFFFFFU)
-    return std::nullopt;
-  return static_cast<std::int64_t>(value);
-}
-
-std::optional<std::int64_t> integerOf(std::string_view text) {
-  const bool isNegative = text.starts_with("-");
-  if (isNegative || text.starts_with("+")) text.remove_prefix(1);
-  const std::size_t mark = text.find('#');
-  int base = 10;
-  if (mark != std::string_view::npos) {
-    std::from_chars(text.data(), text.data() + mark, base);
-    if (base != 2 && base != 8 && base != 16) return std::nullopt;
-    text.remove_prefix(mark + 1);
-  }
-  const auto value = digitsOf(text, base);
-  return value && isNegative ? std::optional(-*value) : value;
-}
-
-bool isRealText(std::string_view text) {
-  return text.find('#') == std::string_view::npos &&
-         (text.find('.') != std::string_view::npos || text.find_first_of("eE") != std::string_view::npos);
-}
-
-Value realValue(std::string_view text, const Type* type) {
-  std::string digits;
-  for (const char c : text) {
-    if (c != '_') digits += c;
-  }
-  Value made;
-  made.type = type;
-  made.isReal = true;
-  made.real = std::strtod(digits.c_str(), nullptr);
-  made.number = static_cast<std::int64_t>(std::bit_cast<std::uint32_t>(std::strtof(digits.c_str(), nullptr)));
-  return made;
 }
 
 }  // namespace
@@ -106,38 +82,6 @@ Value realValue(std::string_view text, const Type* type) {
 const Type* elementaryType(std::string_view folded) {
   const auto found = elementaryTypes().find(folded);
   return found == elementaryTypes().end() ? nullptr : &found->second;
-}
-
-std::optional<Value> literalValue(const Expr& literal, std::string& reason) {
-  const std::string& text = literal.text;
-  if (literal.prefix.empty()) {
-    const std::string word = foldedName(text);
-    if (word == "TRUE" || word == "FALSE") return Value{elementaryType("BOOL"), word == "TRUE" ? 1 : 0};
-    if (isRealText(text)) return realValue(text, nullptr);
-    if (const auto value = integerOf(text)) return Value{nullptr, *value};
-    reason = fmt::format("{} does not fit into 32 bits", excerpt(text));
-    return std::nullopt;
-  }
-  if (literal.prefix == "T" || literal.prefix == "TIME") {
-    if (const auto ms = millisecondsOf(text)) return Value{elementaryType("TIME"), *ms};
-    reason = fmt::format("{}#{} is no duration of whole milliseconds up to 24 days", literal.prefix, excerpt(text));
-    return std::nullopt;
-  }
-  const Type* type = elementaryType(literal.prefix);
-  if (type == nullptr || type->kind == Kind::Unsupported) {
-    reason = fmt::format("{}# is not modelled", excerpt(literal.prefix));
-    return std::nullopt;
-  }
-  if (type->kind == Kind::Real) return realValue(text, type);
-  const std::string word = foldedName(text);
-  if (type->kind == Kind::Bool && (word == "TRUE" || word == "FALSE")) return Value{type, word == "TRUE" ? 1 : 0};
-  const auto value = integerOf(text);
-  const bool isPattern = text.find('#') != std::string::npos;
-  const std::int64_t top = std::int64_t{1} << type->width;
-  if (value && *value >= type->low && *value <= type->high) return Value{type, *value};
-  if (value && isPattern && *value < top) return Value{type, *value - top};
-  reason = fmt::format("{} does not fit into {}", excerpt(text), type->name);
-  return std::nullopt;
 }
 
 TypeTable::TypeTable(const ProjectSyntax& project, SyntaxSink& sink) : sink_(sink) {
@@ -240,6 +184,14 @@ const Type* TypeTable::make(const TypeSyntax& syntax, const std::string& name) {
   }
   const Type* base = named(syntax.name, syntax.span);
   if (base == nullptr || syntax.low == nullptr || base->kind == Kind::Unsupported) return base;
+  if (base->kind == Kind::Text && syntax.high == nullptr) {
+    const auto length = integer(*syntax.low);
+    if (!length || *length < 1 || *length > mostTextLength) {
+      error(syntax.span, fmt::format("a STRING has 1 to {} characters", mostTextLength));
+      return nullptr;
+    }
+    return add(textType(*length));
+  }
   const auto low = integer(*syntax.low), high = syntax.high != nullptr ? integer(*syntax.high) : std::nullopt;
   if (!low || !high || base->kind != Kind::Integer) {
     error(syntax.span, "a range needs a type of whole numbers and two constants");
@@ -277,12 +229,11 @@ std::optional<Value> TypeTable::constant(const Expr& expr) {
   if (expr.kind == ExprKind::Unary && expr.text == "-") {
     auto inner = constant(*expr.operands[0]);
     if (!inner) return std::nullopt;
-    if (inner->isReal) {
-      inner->real = -inner->real;
-      inner->number = static_cast<std::int64_t>(static_cast<std::uint32_t>(inner->number) ^ 0x80000000U);
-    } else {
-      inner->number = -inner->number;
-    }
+    if (inner->isReal) return realConstant(-inner->real, inner->type);
+    constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
+    if (inner->isHuge && inner->number != least) return std::nullopt;
+    inner->isHuge = false;
+    if (inner->number != least) inner->number = -inner->number;
     return inner;
   }
   if (expr.kind == ExprKind::Binary) {

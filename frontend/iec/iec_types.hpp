@@ -1,6 +1,7 @@
 // Types of IEC 61131-3 as they lie in memory, and literals. A BOOL takes bit 0 of a byte, numbers lie one behind the
-// other, the highest byte first. Types of 64 bits and strings have no place: what uses them is not covered.
-// Tested by tests/iec.
+// other, the highest byte first. A TIME is a number of ms, an LTIME one of ns; DATE and DT are seconds since
+// 1970-01-01, TOD is ms since midnight, LDATE, LDT and LTOD are ns. A STRING is a byte with its length and its
+// characters. What has no place here (WSTRING, pointers) is not covered. Tested by tests/iec.
 #pragma once
 
 #include <deque>
@@ -10,7 +11,20 @@
 
 namespace rungproof::iec {
 
-enum class Kind : std::uint8_t { Bool, Integer, BitString, Real, Time, Enum, Array, Struct, Block, Unsupported };
+enum class Kind : std::uint8_t {
+  Bool,
+  Integer,
+  BitString,
+  Real,
+  Time,
+  Date,  ///< DATE, TOD, DT and their long forms
+  Text,
+  Enum,
+  Array,
+  Struct,
+  Block,
+  Unsupported
+};
 
 struct Type;
 struct Field {
@@ -23,10 +37,10 @@ struct Field {
 struct Type {
   Kind kind = Kind::Unsupported;
   std::string name;
-  int width = 0;  ///< bits of a value: 1, 8, 16, 32
+  int width = 0;  ///< bits of a value: 1, 8, 16, 32, 64
   bool isSigned = false;
   std::uint32_t bytes = 0;
-  std::int64_t low = 0, high = 0;  ///< of numbers
+  std::int64_t low = 0, high = 0;  ///< of numbers; of ULINT and LWORD `high` is the pattern
   const Type* element = nullptr;
   std::vector<std::pair<std::int64_t, std::int64_t>> bounds;
   std::vector<Field> fields;
@@ -36,6 +50,7 @@ struct Type {
 
   bool isNumber() const { return kind == Kind::Integer || kind == Kind::BitString || kind == Kind::Enum; }
   bool isValue() const { return width > 0; }
+  bool isLong() const { return width == 64; }
   /// Signed as the words of a register are compared.
   bool isOrdered() const { return kind != Kind::Array && kind != Kind::Struct && kind != Kind::Block; }
 };
@@ -46,13 +61,22 @@ struct Value {
   std::int64_t number = 0;     ///< REAL: its pattern
   bool isReal = false;         ///< a real literal, which takes REAL or LREAL
   double real = 0;
+  bool isHuge = false;  ///< above 2^63 - 1: `number` is the pattern of 64 bits
 };
 
+/// Types that begin so belong to variables that a panel writes.
+inline constexpr std::string_view panelPrefix = "HMI_";
 /// Elementary types, by name in capitals; nullptr for names that are none.
 const Type* elementaryType(std::string_view folded);
 
 /// What a literal means, or nothing with the reason.
 std::optional<Value> literalValue(const Expr& literal, std::string& reason);
+/// A constant of REAL or LREAL; type nullptr: it takes either.
+Value realConstant(double real, const Type* type);
+/// The pattern of a real constant of that many bits.
+std::int64_t realPattern(double real, int width);
+/// Most characters of a STRING.
+inline constexpr std::int64_t mostTextLength = 254;
 
 /// The types of a project by name.
 class TypeTable {

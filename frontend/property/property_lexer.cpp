@@ -105,7 +105,9 @@ class Lexer {
     const std::string all(t.text);
     t.value = isReal ? static_cast<std::int64_t>(std::bit_cast<std::uint32_t>(std::strtof(all.c_str(), nullptr)))
                      : std::strtoll(all.c_str(), nullptr, 10);
+    if (isReal) t.longValue = std::bit_cast<std::int64_t>(std::strtod(all.c_str(), nullptr));
     t.isTooLarge = !isReal && t.value > largest;
+    t.isHuge = !isReal && std::from_chars(all.data(), all.data() + all.size(), t.value).ec != std::errc();
     return t;
   }
 
@@ -130,6 +132,7 @@ class Lexer {
       t.kind = PropertyToken::Punctuation;
     t.value = static_cast<std::int64_t>(value);
     t.isTooLarge = value > static_cast<std::uint64_t>(largest);
+    t.isHuge = t.value < 0;
     t.isPattern = true;
     return t;
   }

@@ -18,7 +18,9 @@ struct Token {
   std::int64_t value = 0;  ///< Number: value; Real: IEEE single pattern; Duration: ms
   bool isPattern = false;  ///< Number written as 16# or 2#: bits, not an amount
   Span span{};
-  bool isTooLarge = false;  ///< Number that 32 bits, signed or not, do not hold; Duration above longestDuration
+  bool isTooLarge = false;     ///< Number that 32 bits, signed or not, do not hold; Duration above longestDuration
+  bool isHuge = false;         ///< Number that 64 bits with a sign do not hold
+  std::int64_t longValue = 0;  ///< Real: IEEE double pattern
 };
 
 /// In ms: a million hours, more than a hundred years.

@@ -344,7 +344,7 @@ class Parser {
       const bool isReal = n.type == ExprType::Real;
       return add(e, {.op = ExprOp::Negate,
                      .type = n.type,
-                     .width = static_cast<std::uint8_t>(isReal ? 32 : std::min(64, n.width + 1)),
+                     .width = static_cast<std::uint8_t>(isReal ? n.width : std::min(64, n.width + 1)),
                      .args = {arg}});
     }
     return primary(e);
@@ -353,9 +353,10 @@ class Parser {
   std::uint32_t primary(Expr& e) {
     const Token t = take();
     if (t.kind == PropertyToken::Number) {
-      if (t.isTooLarge)
-        throw Mistake{syntaxRule, t.span, fmt::format("'{}' is larger than any number of the S7-200", t.text),
-                      "numbers have up to 32 bits"};
+      const bool isLong = target_ != nullptr && isIec(*target_);
+      if (isLong ? t.isHuge : t.isTooLarge)
+        throw Mistake{syntaxRule, t.span, fmt::format("'{}' is larger than any number of the program", t.text),
+                      isLong ? "numbers have up to 64 bits, one of them for the sign" : "numbers have up to 32 bits"};
       return add(e, {.op = ExprOp::Constant,
                      .type = ExprType::Number,
                      .width = signedWidth(t.value),
@@ -364,7 +365,12 @@ class Parser {
                      .span = t.span});
     }
     if (t.kind == PropertyToken::Real)
-      return add(e, {.op = ExprOp::Constant, .type = ExprType::Real, .width = 32, .value = t.value, .span = t.span});
+      return add(e, {.op = ExprOp::Constant,
+                     .type = ExprType::Real,
+                     .width = 32,
+                     .value = t.value,
+                     .operand = constant(t.longValue, ConstantForm::Real),
+                     .span = t.span});
     if (t.text == "(") {
       Nesting nesting(*this);
       const std::uint32_t inner = implies(e);
@@ -508,14 +514,7 @@ class Parser {
     needNumber(e, left, at);
     needNumber(e, right, at);
     asReals(e, left, right);
-    const bool isReal = e.nodes[left].type == ExprType::Real || e.nodes[right].type == ExprType::Real;
-    const int a = e.nodes[left].width, b = e.nodes[right].width;
-    const int width = isReal ? 32 : std::min(64, op == ExprOp::Mul ? a + b : std::max(a, b) + 1);
-    return add(e, {.op = op,
-                   .type = isReal ? ExprType::Real : ExprType::Number,
-                   .width = static_cast<std::uint8_t>(width),
-                   .args = {left, right},
-                   .span = at});
+    return add(e, arithmeticNode(e, op, left, right, at));
   }
   std::uint32_t binary(Expr& e, ExprOp op, std::uint32_t left, std::uint32_t right) {
     needTruth(e, left);

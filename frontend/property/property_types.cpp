@@ -16,11 +16,12 @@ ExprNode* addressBehind(Expr& expr, std::uint32_t node) {
   return expr.nodes[node].op == ExprOp::Address ? &expr.nodes[node] : nullptr;
 }
 
-/// Double words in the expression become REALs, and what is computed from them.
+/// Double words in the expression become REALs, and what is computed from them. A variable of IEC 61131-3 is what it is
+/// declared as.
 void makeReal(Expr& expr, std::uint32_t node) {
   ExprNode& n = expr.nodes[node];
   if (n.type != ExprType::Number) return;
-  bool isReal = n.op == ExprOp::Address && n.width == 32;
+  bool isReal = n.op == ExprOp::Address && n.width == 32 && n.operand.form == ConstantForm::Decimal;
   if (n.op == ExprOp::Prev || n.op == ExprOp::Negate || n.op == ExprOp::Add || n.op == ExprOp::Sub ||
       n.op == ExprOp::Mul) {
     for (const std::uint32_t arg : n.args) {
@@ -31,6 +32,17 @@ void makeReal(Expr& expr, std::uint32_t node) {
   if (!isReal) return;
   n.type = ExprType::Real;
   n.width = 32;
+}
+
+bool isLongReal(const ExprNode& n) { return n.type == ExprType::Real && n.width == 64; }
+
+/// Beside an LREAL constants are ones of 64 bits, and what is computed from them.
+void lengthen(Expr& expr, std::uint32_t node) {
+  ExprNode& n = expr.nodes[node];
+  if (n.type != ExprType::Real || n.width == 64 || n.op == ExprOp::Address || n.op == ExprOp::Prev) return;
+  n.width = 64;
+  if (n.op == ExprOp::Constant) n.value = n.operand.value;
+  for (const std::uint32_t arg : n.args) lengthen(expr, arg);
 }
 
 }  // namespace
@@ -44,7 +56,8 @@ std::uint8_t signedWidth(std::int64_t value) {
 std::uint8_t signedWidth(const Operand& operand) {
   const int width = numberBits(operand);
   if (operand.form == ConstantForm::SignedDecimal) return static_cast<std::uint8_t>(width);
-  return static_cast<std::uint8_t>(width == 8 || operand.form == ConstantForm::Hex ? width + 1 : width);
+  if (operand.form == ConstantForm::Real) return static_cast<std::uint8_t>(width);
+  return static_cast<std::uint8_t>(std::min(64, width == 8 || operand.form == ConstantForm::Hex ? width + 1 : width));
 }
 
 bool isTimerBit(const ExprNode& node) {
@@ -70,6 +83,7 @@ void fitConstant(Expr& expr, std::uint32_t constant, std::uint32_t other, std::v
       address->type != ExprType::Number)
     return;
   const int w = address->width;
+  if (w >= 64) return;
   if (number.operand.form == ConstantForm::Hex && w >= 16 && number.value >> w == 0) {
     if ((number.value >> (w - 1) & 1) != 0) number.value -= std::int64_t{1} << w;
     number.width = signedWidth(number.value);
@@ -79,14 +93,32 @@ void fitConstant(Expr& expr, std::uint32_t constant, std::uint32_t other, std::v
   const std::int64_t lowest = isByte ? 0 : -(std::int64_t{1} << (w - 1));
   const std::int64_t highest = (std::int64_t{1} << (w - 1)) - 1;
   if (number.value >= lowest && number.value <= highest) return;
-  remarks.push_back(fmt::format("{} is never {}: as the S7-200 compares it, it goes from {} to {}",
-                                toString(address->operand), number.value, lowest, highest));
+  const bool isDeclared = address->operand.form != ConstantForm::Decimal;  // a variable of IEC 61131-3
+  remarks.push_back(
+      fmt::format("{} is never {}: {}it goes from {} to {}",
+                  isDeclared ? std::string(std::string_view(address->operand.text)) : toString(address->operand),
+                  number.value, isDeclared ? "" : "as the S7-200 compares it, ", lowest, highest));
 }
 
 void asReals(Expr& expr, std::uint32_t left, std::uint32_t right) {
   if (expr.nodes[left].type != ExprType::Real && expr.nodes[right].type != ExprType::Real) return;
   makeReal(expr, left);
   makeReal(expr, right);
+  if (!isLongReal(expr.nodes[left]) && !isLongReal(expr.nodes[right])) return;
+  lengthen(expr, left);
+  lengthen(expr, right);
+}
+
+ExprNode arithmeticNode(const Expr& expr, ExprOp op, std::uint32_t left, std::uint32_t right, Span at) {
+  const ExprNode &a = expr.nodes[left], &b = expr.nodes[right];
+  ExprNode made{.op = op, .type = ExprType::Number, .args = {left, right}, .span = at};
+  int width = std::min(64, op == ExprOp::Mul ? a.width + b.width : std::max(a.width, b.width) + 1);
+  if (a.type == ExprType::Real || b.type == ExprType::Real) {
+    made.type = ExprType::Real;
+    width = isLongReal(a) || isLongReal(b) ? 64 : 32;
+  }
+  made.width = static_cast<std::uint8_t>(width);
+  return made;
 }
 
 std::span<const std::string_view> propertyKeywords() {

@@ -25,6 +25,8 @@ bool comparesTruth(const Expr& expr, ExprOp op, std::uint32_t left, std::uint32_
 void fitConstant(Expr& expr, std::uint32_t constant, std::uint32_t other, std::vector<std::string>& remarks);
 /// Beside a REAL, a double word is a REAL as well, and so is what is computed from double words.
 void asReals(Expr& expr, std::uint32_t left, std::uint32_t right);
+/// The sum, difference or product of two numbers: a number as wide as it may get, REAL or LREAL where one of them is.
+ExprNode arithmeticNode(const Expr& expr, ExprOp op, std::uint32_t left, std::uint32_t right, Span at);
 /// The words of the language.
 std::span<const std::string_view> propertyKeywords();
 /// A word of the language, in small letters.

@@ -7,12 +7,15 @@
 #include "ir/iec/isa/control.hpp"
 #include "ir/iec/isa/convert.hpp"
 #include "ir/iec/isa/logic.hpp"
+#include "ir/iec/isa/long_real.hpp"
 #include "ir/iec/isa/real.hpp"
+#include "ir/iec/isa/text.hpp"
 #include "ir/s7200/isa_list.hpp"
 
 namespace rungproof::isa::iec {
 
-using AllInstructions = Join<AccessGroup, LogicGroup, ArithmeticGroup, RealGroup, ConvertGroup, ControlGroup>::type;
+using AllInstructions = Join<AccessGroup, LogicGroup, ArithmeticGroup, RealGroup, LongRealGroup, ConvertGroup,
+                             TextGroup, ControlGroup>::type;
 
 /// Every descriptor, opcode = index.
 inline constexpr auto instructionTable = makeTable(AllInstructions{});

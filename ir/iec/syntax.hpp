@@ -30,12 +30,13 @@ enum class ExprKind : std::uint8_t {
 struct Expr;
 using ExprPtr = std::unique_ptr<Expr>;
 
-/// One step of a path: `.name`, `[indices]` or `.3` (a bit).
+/// One step of a path: `.name`, `[indices]`, `.3` (a bit) or `.%B1` (a byte).
 struct PathPart {
   enum class Kind : std::uint8_t { Name, Index, Bit } kind = Kind::Name;
   std::string name;
   std::vector<ExprPtr> indices;
-  std::uint32_t bit = 0;
+  std::uint32_t bit = 0;   ///< the lowest
+  std::uint32_t bits = 1;  ///< 8, 16, 32: `.%B1`, `.%W0`, `.%D1`
   Span span;
 };
 
@@ -69,6 +70,8 @@ enum class StatementKind : std::uint8_t {
   Continue,
   Return,
   Try,
+  Jump,   ///< of a drawing: to the label `target`, where `value` is TRUE
+  Label,  ///< `target`
   Line,   ///< of IL
   Unread  ///< writes `target` if there is one, otherwise anything
 };
@@ -174,9 +177,10 @@ struct BlockSyntax {
   Statements body;
   std::vector<ActionSyntax> actions;
   Span span;
-  bool isWhole = true;     ///< everything was read
-  bool isLibrary = false;  ///< of the standard
-  std::string unread;      ///< language of a body that is not read
+  bool isWhole = true;      ///< everything was read
+  bool isLibrary = false;   ///< of the standard
+  bool isContract = false;  ///< in no file: its variables are those that the project gives it and takes of it
+  std::string unread;       ///< language of a body that is not read
 };
 
 struct NamedType {
@@ -189,7 +193,7 @@ struct NamedType {
 struct TaskSyntax {
   std::string name;
   std::optional<std::int64_t> intervalMs;
-  bool isSingle = false;
+  ExprPtr single;  ///< a rising edge of it starts the task; nullptr: none
   std::int64_t priority = 0;
   Span span;
 };
@@ -199,6 +203,11 @@ struct InstanceSyntax {
   Span span;
 };
 
+/// A path from outside to a variable: VAR_ACCESS with READ_WRITE.
+struct AccessSyntax {
+  ExprPtr path;
+  Span span;
+};
 /// All files of a project.
 struct ProjectSyntax {
   std::vector<NamedType> types;
@@ -206,6 +215,7 @@ struct ProjectSyntax {
   std::vector<VariableSyntax> globals;
   std::vector<TaskSyntax> tasks;
   std::vector<InstanceSyntax> instances;
+  std::vector<AccessSyntax> accesses;
   std::vector<Directive> directives;
   bool isDamaged = false;  ///< something outside of blocks could not be read
 

@@ -75,7 +75,7 @@ bool isSame(const Expr& a, const Expr& b) {
     return (x == nullptr) == (y == nullptr) && (x == nullptr || isSame(*x, *y));
   };
   const auto samePart = [&](const PathPart& x, const PathPart& y) {
-    return x.kind == y.kind && x.bit == y.bit && foldedName(x.name) == foldedName(y.name) &&
+    return x.kind == y.kind && x.bit == y.bit && x.bits == y.bits && foldedName(x.name) == foldedName(y.name) &&
            std::ranges::equal(x.indices, y.indices, both);
   };
   const auto sameArgument = [&](const Argument& x, const Argument& y) {

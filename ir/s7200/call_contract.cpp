@@ -183,7 +183,8 @@ class ContractBuilder {
       case Width::Bit: return output(place, DataType::Bool);
       case Width::Byte: return output(place, DataType::Byte);
       case Width::Word: return output(place, DataType::Word);
-      case Width::DWord: return output(place, DataType::DWord);
+      case Width::DWord:
+      case Width::LWord: return output(place, DataType::DWord);
     }
   }
 

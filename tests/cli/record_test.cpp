@@ -75,6 +75,8 @@ std::vector<Record> records() {
        mainBlock("Network 1\nLD I0.0\nCALL SBR21, I0.0, M0.0\nNetwork 2\nLD M0.0\n= Q0.0\n"), ""},
       {"has no text: what it may write is any value", "",
        mainBlock("Network 1\nLD I0.0\nCALL SBR21, I0.0, M0.0\nNetwork 2\nLD M0.0\n= Q0.0\n"), "prove p: never Q0.0\n"},
+      {"calls a block that no file has: what it may write is any value", "",
+       "PROGRAM main\nVAR\n  d : Drive;\n  q : BOOL;\nEND_VAR\nd(Q => q);\nEND_PROGRAM\n", "prove p: never q\n"},
       {"which no file holds, begins with the start values", "the instance \"Wait\", which no file holds", drawnTimer(),
        "prove p: Q0.0 implies M0.0\n"},
       {"writes only what its calls give it", "",

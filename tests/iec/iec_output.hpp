@@ -34,4 +34,13 @@ inline IecOutput proofOfIec(const std::string& text, std::vector<std::string> op
   return runIec(options, text);
 }
 
+/// The verdict on one property of a text: "PROVED", "VIOLATED" ...; otherwise everything that was printed.
+inline std::string verdictOf(const std::string& text, const std::string& property) {
+  const IecOutput output = proofOfIec("//@ prove asked: " + property + "\n" + text);
+  for (const std::string verdict : {"PROVED", "VIOLATED", "VACUOUS", "UNKNOWN", "NOT COVERED"}) {
+    if (output.has(verdict + "  asked")) return verdict;
+  }
+  return output.text;
+}
+
 }  // namespace rungproof

@@ -84,8 +84,8 @@ TEST(IecProve, NumbersAreMeantAsTheyAreDeclared) {
 }
 
 TEST(IecProve, WhatWasNotReadIsNotCovered) {
-  const IecOutput output = proofOfIec(
-      program("VAR q, r : BOOL; s : STRING; END_VAR", "q := FALSE;\ns := 'x';\nr := unknown;", "//@ prove off: not q"));
+  const IecOutput output = proofOfIec(program("VAR q, r : BOOL; s : WSTRING; END_VAR",
+                                              "q := FALSE;\ns := \"x\";\nr := unknown;", "//@ prove off: not q"));
   EXPECT_TRUE(output.has("NOT COVERED  off")) << output.text;
   EXPECT_EQ(output.exit, 2);
   EXPECT_TRUE(proofOfIec("PROGRAM main VAR q : BOOL; END_VAR\n//@ prove off: not q\nLD q\nFROB\nST q\nEND_PROGRAM\n")

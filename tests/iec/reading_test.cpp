@@ -40,7 +40,7 @@ constexpr Wrong wrongTexts[] = {
     {"a : INT", "a := 1;", "';' is needed here"},
     {"a : INT; a : BOOL;", "", "two variables are named a"},
     {"t : TON;", "t := 1;", "an instance cannot be assigned"},
-    {"s : STRING; r : STRING;", "s := r;", "values of type STRING are not modelled"},
+    {"s : WSTRING; r : WSTRING;", "s := r;", "values of type WSTRING are not modelled"},
     {"a : INT;", "a := SEL(TRUE, 1);", "the arguments of SEL do not fit"},
     {"a : INT;", "(* open", "the comment has no end"},
     {"a : INT;", "a := 'open;", "the text has no closing mark"},

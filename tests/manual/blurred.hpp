@@ -101,6 +101,10 @@ class Blurred {
   Bool rlegal(Bits a) const { return {plain_.rlegal(in(a, 32))}; }
   Bits rfromInt(Bits a) const { return {plain_.rfromInt(in(a, 32)), 32}; }
   Bits rtoInt(Bits a, bool round) const { return {plain_.rtoInt(in(a, 32), round), 64}; }
+  Bits longReal(std::uint64_t f, Bits a, Bits b, int w) const {
+    return {plain_.longReal(f, in(a, a.w), in(b, b.w), w), w};
+  }
+  Bits longReal(std::uint64_t f, Bits a, int w) const { return {plain_.longReal(f, in(a, a.w), w), w}; }
 
   Bits external(const ExternalSite& site, int width) {
     return {outside_->external(site, width) & Concrete::mask(width), width};

@@ -78,6 +78,9 @@ class Mutated {
   Bool rlegal(Bits a, Where at = Where::current()) const;
   Bits rfromInt(Bits a, Where at = Where::current()) const;
   Bits rtoInt(Bits a, bool round, Where at = Where::current()) const;
+  /// Of no family that is mutated here.
+  Bits longReal(std::uint64_t f, Bits a, Bits b, int w) const { return plain_.longReal(f, a, b, w); }
+  Bits longReal(std::uint64_t f, Bits a, int w) const { return plain_.longReal(f, a, w); }
 
   Bits external(const ExternalSite& site, int width, Where at = Where::current());
   void report(Hazard hazard, Bool happens, const Instruction* place, Where at = Where::current());

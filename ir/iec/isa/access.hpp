@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ir/iec/isa/iec_group.hpp"
+#include "ir/s7200/call_contract.hpp"
 
 namespace rungproof::isa::iec {
 
@@ -72,9 +73,7 @@ struct Elements {
   explicit Elements(IecArgs<D>& args)
       : a(args),
         stride(static_cast<std::uint32_t>(args.number(2))),
-        width(args.width(3) == 8    ? Width::Byte
-              : args.width(3) == 16 ? Width::Word
-                                    : Width::DWord),
+        width(widthOfBits(args.width(3))),
         count((static_cast<std::uint32_t>(args.number(1)) - static_cast<std::uint32_t>(bytes(width))) / stride + 1) {}
 
   IecArgs<D>& a;
@@ -120,6 +119,29 @@ struct StoreElement {
   }
 };
 
-using AccessGroup = Group<LoadBit, Load, StoreBit, Store, Constant, Index, LoadElement, StoreElement>;
+/// What a block that no file has leaves in a variable.
+struct AnyBit {
+  static constexpr Desc desc = withOperands(described("ANY.BIT", "a block without text leaves any truth value"),
+                                            {out("VARIABLE", Type::Bool, variable)});
+  template <class D>
+  static void run(IecArgs<D>& a) {
+    const LibraryEffect effect{a.operand(0).area, a.operand(0).offset, a.operand(0).bit};
+    a.save(0, a.m.external(External::LibraryOutput, effect.index(), 1));
+  }
+};
+struct AnyBytes {
+  static constexpr Desc desc =
+      withOperands(described("ANY", "a block without text leaves any value"),
+                   {out("VARIABLE", Type::Byte, variable).elements(1, 0).counted(1, 0), part("BYTES")});
+  template <class D>
+  static void run(IecArgs<D>& a) {
+    const Operand& first = a.operand(0);
+    for (std::uint32_t i = first.offset; i < first.offset + static_cast<std::uint32_t>(a.number(1)); ++i)
+      a.m.save(first.area, i, Width::Byte,
+               a.m.external(External::LibraryOutput, LibraryEffect{first.area, i}.index(), 8));
+  }
+};
+
+using AccessGroup = Group<LoadBit, Load, StoreBit, Store, Constant, Index, LoadElement, StoreElement, AnyBit, AnyBytes>;
 
 }  // namespace rungproof::isa::iec

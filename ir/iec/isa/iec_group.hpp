@@ -1,6 +1,6 @@
 // What the files of ir/iec/isa share: the evaluation stack and the numbers behind a mnemonic. A statement of the source
 // becomes a row of instructions that push values, combine the topmost ones and store the result; between two statements
-// the stack is empty, so that jumps never meet values. A width is 1 (BOOL), 8, 16 or 32 bits.
+// the stack is empty, so that jumps never meet values. A width is 1 (BOOL), 8, 16, 32 or 64 bits.
 #pragma once
 
 #include "ir/s7200/isa/group.hpp"
@@ -24,6 +24,11 @@ struct IecArgs {
   int width(std::size_t i = 0) const { return static_cast<int>(number(i)); }
   bool flag(std::size_t i) const { return number(i) != 0; }
   Bits literal(std::uint64_t value, int width) { return d.literal(value, width); }
+
+  /// A count of 32 bits as a number of another width.
+  Bits asWide(Bits count, int width) {
+    return width == 32 ? count : width > 32 ? d.zext(count, 32, width) : d.extract(count, width - 1, 0);
+  }
 
   void push(Bits value) { m.evaluation.push_back(value); }
   void pushBool(Bool value) { push(d.fromBool(value, 1)); }

@@ -41,8 +41,23 @@ struct Shift {
     const int w = a.width();
     const auto most = a.literal(static_cast<std::uint64_t>(w), 32);
     const auto clamped = a.d.select(a.d.ult(count, most, 32), count, most, 32);
-    const auto by = w == 32 ? clamped : a.d.extract(clamped, w - 1, 0);
+    const auto by = a.asWide(clamped, w);
     a.push(isLeft ? a.d.shl(value, by, w) : a.d.lshr(value, by, w));
+  }
+};
+
+/// Of a signed number: the sign comes in from above; by the width or more only that is left. The count has 32 bits.
+struct ShiftSigned {
+  static constexpr Desc desc =
+      withOperands(described("SAR", "shift a signed number to the right", Role::Shift), {part("WIDTH")});
+  template <class D>
+  static void run(IecArgs<D>& a) {
+    const auto count = a.pop(), value = a.pop();
+    const int w = a.width();
+    const auto most = a.literal(static_cast<std::uint64_t>(w), 32);
+    const auto by = a.asWide(a.d.select(a.d.ult(count, most, 32), count, most, 32), w);
+    const auto inverted = a.d.bnot(a.d.lshr(a.d.bnot(value, w), by, w), w);
+    a.push(a.d.select(a.d.bit(value, w - 1), inverted, a.d.lshr(value, by, w), w));
   }
 };
 
@@ -55,7 +70,7 @@ struct Rotate {
     const auto count = a.pop(), value = a.pop();
     const int w = a.width();
     const auto size = a.literal(static_cast<std::uint64_t>(w), w);
-    const auto low = w == 32 ? count : a.d.extract(count, w - 1, 0);
+    const auto low = a.asWide(count, w);
     const auto by = a.d.band(low, a.literal(static_cast<std::uint64_t>(w - 1), w), w);
     const auto rest = a.d.sub(size, by, w);
     const auto up = a.d.shl(value, isLeft ? by : rest, w), down = a.d.lshr(value, isLeft ? rest : by, w);
@@ -84,8 +99,8 @@ struct Reads {
   }
 };
 
-using LogicGroup =
-    Group<Bitwise<BitOperator::And, "AND">, Bitwise<BitOperator::Or, "OR">, Bitwise<BitOperator::Xor, "XOR">, Not,
-          Shift<true, "SHL">, Shift<false, "SHR">, Rotate<true, "ROL">, Rotate<false, "ROR">, Select, Reads>;
+using LogicGroup = Group<Bitwise<BitOperator::And, "AND">, Bitwise<BitOperator::Or, "OR">,
+                         Bitwise<BitOperator::Xor, "XOR">, Not, Shift<true, "SHL">, Shift<false, "SHR">, ShiftSigned,
+                         Rotate<true, "ROL">, Rotate<false, "ROR">, Select, Reads>;
 
 }  // namespace rungproof::isa::iec
