@@ -1,6 +1,7 @@
 // Random programs with random properties: every run that `prove --traces` writes is repeated by `sim --stimulus`, which
 // finds the same values in every column; the run that `equiv --trace` writes is repeated by `sim` of both programs.
-// RUNGPROOF_SEED chooses other programs, RUNGPROOF_WITNESSES how many of each family.
+// RUNGPROOF_SEED chooses other programs, RUNGPROOF_WITNESSES how many of each family; a campaign of more than the usual
+// number runs the executable alone.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -72,13 +73,13 @@ class Campaign {
   }
 
   /// Compares two versions, then repeats the run that tells them apart on both.
-  void compare(const RandomText& source, const RandomText& other) {
+  void compare(const RandomText& source, const RandomText& other, bool isByExecutable) {
     const TemporaryFolder folder;
     const std::string before = folder.file("old/" + source.name, source.text);
     const std::string after = folder.file("new/" + other.name, other.text), difference = folder.path("difference.csv");
     const auto run = [&](std::vector<std::string> arguments) {
       arguments.insert(arguments.end(), source.options.begin(), source.options.end());
-      return inProcess(std::move(arguments));
+      return isByExecutable ? byExecutable(arguments) : inProcess(std::move(arguments));
     };
     const CommandEnd end = run({"equiv", before, after, "--timeout", "500ms", "--trace", difference});
     EXPECT_NE(end.code, 2) << end.out << end.err << source.text << other.text;
@@ -117,8 +118,9 @@ void repeatRandom(const char* family, std::uint64_t first, const Make& make, boo
       std::fprintf(stderr, "\r%s: RUNGPROOF_SEED=%llu", family,
                    static_cast<unsigned long long>(own - first));  // where it ends
     const RandomText source = make(own);
-    proofs.prove(source, /*isByExecutable=*/i % 20 == 7, /*isBuiltin=*/i % 5 == 0);
-    if (i % 4 == 0 && isCompared) comparisons.compare(source, otherVersion(source, own));
+    const bool isByExecutable = count > usualPrograms || i % 20 == 7;
+    proofs.prove(source, isByExecutable, /*isBuiltin=*/i % 5 == 0);
+    if (i % 4 == 0 && isCompared) comparisons.compare(source, otherVersion(source, own), isByExecutable);
   }
   std::printf("%s from seed %llu: %zu proofs with %zu witnesses, %zu comparisons with %zu\n", family,
               static_cast<unsigned long long>(seed), proofs.programs, proofs.witnesses, comparisons.programs,
