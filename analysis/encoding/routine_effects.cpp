@@ -3,14 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <memory>
-#include <random>
 #include <unordered_map>
 
 #include "analysis/encoding/exact_reals.hpp"
 #include "analysis/graph/evaluate.hpp"
-#include "analysis/graph/z3_terms.hpp"
 #include "ir/s7200/scan.hpp"
 
 namespace rungproof {
@@ -20,16 +17,18 @@ namespace {
 constexpr std::size_t trialSteps = 3000;        ///< instructions of a routine, loops unrolled
 constexpr int trialLoops = 40;                  ///< rounds of a loop
 constexpr std::size_t mostRoutinesPaired = 12;  ///< more are not tried in both orders
-constexpr std::size_t mostConstantsTried = 12;
-/// Z3 looks at no clock while it takes conditions in, and that of one SCAT took it minutes.
-constexpr std::size_t mostNodesTried = 20'000;
-constexpr int samples = 300;                            ///< random states that weed out bounds
-constexpr unsigned proofLimit = 400;                    ///< ms of one proof
-constexpr std::chrono::milliseconds searchLimit{3000};  ///< for all proofs
 
 bool isKeptAround(const Place& place) {
   if (place.isRegister) return place.reg == Reg::Accumulator || place.reg == Reg::Eno;
   return place.area == Area::L || (place.area == Area::SM && place.byte() == 1);
+}
+
+/// Memory that nothing but programs writes: what no routine writes is the same after all runs.
+bool canStayBeside(const Place& place, const Program& program) {
+  const bool isClock = place.area == Area::M && program.clockMemory && place.byte() == *program.clockMemory;
+  return !place.isRegister && !isClock &&
+         (place.area == Area::V || place.area == Area::M || place.area == Area::Q || place.area == Area::S ||
+          place.area == Area::DB);
 }
 
 /// Proofs about REAL arithmetic come to no end: what it decides has no bounds.
@@ -83,6 +82,8 @@ class RoutineEffects::Trial final : private CellSource, private Graph::Listener 
   /// What stood there before the run.
   Node start(const Place& place) { return cellAt(place).start; }
 
+  const Program& program() const { return *plan_.program; }
+
   Graph graph;
   bool isComplete = true;
   bool mayHalt = false;
@@ -129,31 +130,6 @@ class RoutineEffects::Trial final : private CellSource, private Graph::Listener 
   Graph::Store* store_ = nullptr;
 };
 
-Node RoutineEffects::Bound::holds(Graph& graph, Node before, Node after) const {
-  const int w = graph[before].width;
-  const auto isWithin = [&](Node limit) {
-    switch (kind) {
-      case Kind::AtLeast: return graph.ule({limit}, {after}, w);
-      case Kind::AtMost: return graph.ule({after}, {limit}, w);
-      case Kind::SignedAtLeast: return graph.sle({limit}, {after}, w);
-      case Kind::SignedAtMost: return graph.sle({after}, {limit}, w);
-      case Kind::OneOf: return graph.equal({after}, {limit}, w);
-    }
-    return graph.constant(true);
-  };
-  Graph::Bool result = isWithin(before);
-  for (const std::uint64_t constant : constants) result = graph.lor(result, isWithin(graph.constantNode(constant, w)));
-  return result.node;
-}
-
-Graph::Bool RoutineEffects::mayBecome(Graph& graph, const Place& place, Node before, Node after) const {
-  Graph::Bool result = graph.constant(true);
-  const auto found = bounds_.find(place);
-  if (found == bounds_.end()) return result;
-  for (const Bound& bound : found->second) result = graph.land(result, {bound.holds(graph, before, after)});
-  return result;
-}
-
 RoutineEffects::RoutineEffects(const Plan& plan, const MemoryLayout& layout, const std::set<int>& routines,
                                bool isOfDevices)
     : isOnePassEnough_(!isOfDevices) {
@@ -197,137 +173,32 @@ RoutineEffects::RoutineEffects(const Plan& plan, const MemoryLayout& layout, con
 
 void RoutineEffects::findBounds(Trial& trial) {
   Graph& graph = trial.graph;
-  struct Written {
-    Place place;
-    Node before, now;
-    std::vector<Bound> bounds;
-  };
-  std::vector<Written> all;
+  std::vector<RunBounds::Cell> cells;
   std::map<Place, std::size_t> at;
+  const auto add = [&](const Place& place, bool isWritten) {
+    if (!at.try_emplace(place, cells.size()).second) return;
+    const Node now = trial.start(place);
+    const Node before = isWritten ? graph.variable("before " + nameOf(place), place.width, true) : now;
+    cells.push_back({place, before, now, isWritten});
+  };
   for (const auto& [routine, places] : written_) {
-    for (const Place& place : places) {
-      if (!at.try_emplace(place, all.size()).second) continue;
-      all.push_back({place, graph.variable("before " + nameOf(place), place.width, true), trial.start(place), {}});
-    }
+    for (const Place& place : places) add(place, true);
   }
   // One run of each routine from a state that has come about by some.
-  std::vector<std::vector<std::pair<std::size_t, Node>>> runs;
-  std::vector<Node> roots;
+  std::vector<RunBounds::Run> runs;
   for (const auto& [routine, places] : written_) {
     const auto store = trial.run({routine});
-    auto& run = runs.emplace_back();
+    RunBounds::Run& run = runs.emplace_back();
     for (const Place& place : places) {
       run.emplace_back(at.at(place), store->value(place));
-      roots.push_back(run.back().second);
+      RunBounds::Cell& cell = cells[run.back().first];
+      cell.isOfReals = cell.isOfReals || usesReals(graph, run.back().second);
+    }
+    for (const Cell& cell : store->cells()) {
+      if (canStayBeside(cell.place, trial.program())) add(cell.place, false);
     }
   }
-  const std::vector<Node> cone = coneOf(graph, roots);
-  if (cone.size() > mostNodesTried) return;          // no bounds: what is written may become anything
-  std::map<int, std::set<std::uint64_t>> constants;  // by width
-  std::vector<Node> variables;
-  for (const Node n : cone) {
-    if (graph[n].op == Op::Variable) variables.push_back(n);
-    if (graph[n].op == Op::Constant) constants[graph[n].width].insert(graph[n].value);
-  }
-  std::vector<bool> isOfReals(all.size(), false);
-  for (const auto& run : runs) {
-    for (const auto& [index, after] : run) isOfReals[index] = isOfReals[index] || usesReals(graph, after);
-  }
-  for (std::size_t index = 0; index < all.size(); ++index) {
-    if (isOfReals[index]) continue;
-    Written& w = all[index];
-    const int width = w.place.width;
-    std::vector<std::uint64_t> known(constants[width].begin(), constants[width].end());
-    for (const std::uint64_t c : std::vector<std::uint64_t>(known)) known.push_back((c + 1) & Graph::maskOf(width));
-    known.push_back(0);
-    std::ranges::sort(known);
-    known.erase(std::ranges::unique(known).begin(), known.end());
-    if (known.size() > mostConstantsTried) known.resize(mostConstantsTried);
-    using enum Bound::Kind;
-    const std::vector<Bound::Kind> kinds =
-        width == 1 ? std::vector{AtLeast, AtMost} : std::vector{AtLeast, AtMost, SignedAtLeast, SignedAtMost};
-    for (const Bound::Kind kind : kinds) {
-      w.bounds.push_back({kind, {}});
-      for (const std::uint64_t c : known) {
-        if (width > 1) w.bounds.push_back({kind, {c}});
-      }
-    }
-    if (width > 1) w.bounds.push_back({OneOf, known});
-  }
-  // Nothing has happened before the first run: bounds that one run from there breaks are no bounds.
-  std::mt19937_64 random(1);
-  Evaluator evaluator(graph, roots);
-  for (int sample = 0; sample < samples; ++sample) {
-    for (const Node v : variables) {
-      const int width = graph[v].width;
-      std::uint64_t value = random();
-      const auto& some = constants[width];
-      if (random() % 2 == 0 && !some.empty())
-        value = *std::next(some.begin(), static_cast<std::ptrdiff_t>(random() % some.size())) + random() % 3 - 1;
-      evaluator.set(v, value & Graph::maskOf(width));
-    }
-    evaluator.run();
-    for (const auto& run : runs) {
-      for (const auto& [index, after] : run) {
-        Written& w = all[index];
-        const bool isRead = std::ranges::find(variables, w.now) != variables.end();
-        const std::uint64_t unread = random() & Graph::maskOf(w.place.width);
-        const Node from = graph.constantNode(isRead ? evaluator[w.now] : unread, w.place.width);
-        const Node to = graph.constantNode(evaluator[after], w.place.width);
-        std::erase_if(w.bounds, [&](const Bound& b) { return graph[b.holds(graph, from, to)].value == 0; });
-      }
-    }
-  }
-  // A bound without a constant says more than the same with one.
-  for (Written& w : all) {
-    const std::vector<Bound> given = w.bounds;
-    std::erase_if(w.bounds, [&](const Bound& bound) {
-      return !bound.constants.empty() && std::ranges::any_of(given, [&](const Bound& other) {
-        return other.kind == bound.kind && other.constants.empty();
-      });
-    });
-  }
-  const auto end = std::chrono::steady_clock::now() + searchLimit;
-  // Those that are left are proved together: a state in which one run breaks some of them takes these out.
-  for (;;) {
-    std::vector<Node> conditions, kept;
-    for (const Written& w : all) {
-      for (const Bound& bound : w.bounds) conditions.push_back(bound.holds(graph, w.before, w.now));
-    }
-    Graph::Bool isBroken = graph.constant(false);
-    for (const auto& run : runs) {
-      for (const auto& [index, after] : run) {
-        for (const Bound& bound : all[index].bounds) {
-          kept.push_back(bound.holds(graph, all[index].before, after));
-          isBroken = graph.lor(isBroken, graph.lnot({kept.back()}));
-        }
-      }
-    }
-    conditions.push_back(isBroken.node);
-    std::vector<std::uint64_t> values;
-    const std::optional<bool> broken =
-        graph.truth(isBroken) == false ? false : satisfiable(graph, conditions, proofLimit, kept, &values);
-    if (broken == false) break;
-    // What is not decided in time is not claimed.
-    if (!broken || std::chrono::steady_clock::now() >= end) {
-      for (Written& w : all) w.bounds.clear();
-      break;
-    }
-    std::vector<std::set<std::size_t>> refuted(all.size());
-    auto value = values.begin();
-    for (const auto& run : runs) {
-      for (const auto& [index, after] : run) {
-        for (std::size_t i = 0; i < all[index].bounds.size(); ++i) {
-          if (*value++ == 0) refuted[index].insert(i);
-        }
-      }
-    }
-    for (std::size_t index = 0; index < all.size(); ++index) {
-      std::size_t i = 0;
-      std::erase_if(all[index].bounds, [&](const Bound&) { return refuted[index].contains(i++); });
-    }
-  }
-  for (Written& w : all) bounds_[w.place] = std::move(w.bounds);
+  bounds_.find(graph, cells, runs);
 }
 
 std::vector<Node> RoutineEffects::facts(Trial& trial) const {
@@ -362,24 +233,25 @@ std::vector<Node> RoutineEffects::facts(Trial& trial) const {
       agree(*trial.run({a->first, b->first}), *trial.run({b->first, a->first}));
   }
   if (!isOnePassEnough_) {
-    std::map<Place, Node> before;
-    Graph::Bool areWithin = graph.constant(true);
-    for (const auto& [place, bounds] : bounds_) {
-      const Node from = graph.variable("before " + nameOf(place), place.width, false);
-      before.emplace(place, from);
-      for (const Bound& bound : bounds) {
-        say({bound.holds(graph, from, from)});
-        areWithin = graph.land(areWithin, {bound.holds(graph, from, trial.start(place))});
-      }
+    std::set<Place> all;
+    for (const auto& [routine, places] : written_) all.insert(places.begin(), places.end());
+    std::vector<RunBounds::Cell> cells;
+    std::map<Place, std::size_t> at;
+    for (const Place& place : bounds_.places()) {
+      const Node now = trial.start(place);
+      const bool isWritten = all.contains(place);
+      at.emplace(place, cells.size());
+      cells.push_back(
+          {place, isWritten ? graph.variable("before " + nameOf(place), place.width, false) : now, now, isWritten});
     }
+    std::vector<RunBounds::Run> runs;
     for (const auto& [routine, store] : once) {
+      RunBounds::Run& run = runs.emplace_back();
       for (const Place& place : written_.at(routine)) {
-        const auto bounds = bounds_.find(place);
-        if (bounds == bounds_.end()) continue;
-        for (const Bound& bound : bounds->second)
-          say(graph.lor(graph.lnot(areWithin), {bound.holds(graph, before.at(place), store->value(place))}));
+        if (at.contains(place)) run.emplace_back(at.at(place), store->value(place));
       }
     }
+    for (const Node fact : bounds_.facts(graph, cells, runs)) facts.push_back(fact);
   }
   for (const Graph::Decided& d : graph.decided()) {
     const int w = graph[d.node].width;
@@ -421,7 +293,7 @@ std::vector<Node> RoutineEffects::asFacts(Graph& graph, const Plan& plan, const 
 
 void RoutineEffects::forget(const Place& place) {
   for (auto& [routine, places] : written_) std::erase(places, place);
-  bounds_.erase(place);
+  bounds_.forget(place);
 }
 
 }  // namespace rungproof

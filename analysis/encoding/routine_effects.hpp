@@ -3,10 +3,8 @@
 //   - if one run after the other in a fixed order leaves what all others leave (each is the same when it is repeated,
 //   and
 //     they may change places), one run of each is enough, and nothing has to be estimated;
-//   - otherwise bounds are sought that every run keeps: "never falls", "at most what it was or 1000", "one of these
-//     numbers". What no bound holds may become anything.
-// Bounds are proposed from the constants of the routines, tried on random states, and proved by Z3 all together: those
-// that stay hold after any number of runs, because they hold after none. Covered by tests/environment/.
+//   - otherwise bounds are sought that every run keeps (run_bounds.hpp). What no bound holds may become anything.
+// Covered by tests/environment.
 #pragma once
 
 #include <map>
@@ -14,6 +12,7 @@
 #include <vector>
 
 #include "analysis/encoding/memory_layout.hpp"
+#include "analysis/encoding/run_bounds.hpp"
 #include "analysis/encoding/symbolic_store.hpp"
 
 namespace rungproof {
@@ -32,8 +31,8 @@ class RoutineEffects {
   const std::vector<Place>& places(int routine) const { return written_.at(routine); }
   /// Whether a routine can end the program by a fatal error.
   bool mayHalt(int routine) const { return halting_.contains(routine); }
-  /// Whether `after` can stand where `before` stood when the runs began.
-  Graph::Bool mayBecome(Graph& graph, const Place& place, Node before, Node after) const;
+  /// What any number of runs keeps.
+  const RunBounds& bounds() const { return bounds_; }
 
   /// What all this says, as nodes of a graph of the program as it is written that are 1 whatever the memory holds: the
   /// routines are run once more without simplification. By routine: it writes nothing else, it does not end the
@@ -45,11 +44,6 @@ class RoutineEffects {
 
  private:
   class Trial;
-  struct Bound {
-    enum class Kind : std::uint8_t { AtLeast, AtMost, SignedAtLeast, SignedAtMost, OneOf } kind;
-    std::vector<std::uint64_t> constants;  ///< that count beside the value before; of OneOf: all of them
-    Node holds(Graph& graph, Node before, Node after) const;
-  };
   void findBounds(Trial& trial);
   std::vector<Node> facts(Trial& trial) const;
 
@@ -57,7 +51,7 @@ class RoutineEffects {
   bool isComplete_ = true;
   std::map<int, std::vector<Place>> written_;
   std::set<int> halting_;
-  std::map<Place, std::vector<Bound>> bounds_;
+  RunBounds bounds_;
   std::map<std::vector<int>, Decisions> runs_;  ///< what each sequence of runs was told
 };
 

@@ -478,16 +478,35 @@ void ScanEncoding::moreRuns(Runner& runner, Round& round) {
     }
   }
   // What devices change beside the routines.
+  std::set<Place> ofDevices;
   for (const int event : round.events) {
     Footprint cause;
     addCauseKeys(event, cause);
-    for (const Place& place : placesOf(cause.writes)) places.try_emplace(place, store_.value(place));
+    for (const Place& place : placesOf(cause.writes)) {
+      places.try_emplace(place, store_.value(place));
+      ofDevices.insert(place);
+    }
   }
+  std::erase_if(places, [](const auto& entry) {
+    const Place& place = entry.first;
+    return place.isRegister && (place.reg == Reg::InterruptsEnabled || place.reg == Reg::Eno);
+  });
+  std::map<Place, RunBounds::Ends> ends;
+  for (const auto& [place, before] : places)
+    ends.emplace(place, RunBounds::Ends{before, anyOf("after more " + nameOf(place), place.width)});
+  std::vector<Graph::Bool> changing;
   for (const auto& [place, before] : places) {
-    if (place.isRegister && (place.reg == Reg::InterruptsEnabled || place.reg == Reg::Eno)) continue;
-    const Node fresh = anyOf("after more " + nameOf(place), place.width);
-    Graph::Bool changes = graph.land(more, effects_->mayBecome(graph, place, before, fresh));
-    machine_.when(changes, [&] {
+    const Graph::Bool isWithin = effects_->bounds().mayChange(graph, place, [&](const Place& other) {
+      const auto found = ends.find(other);
+      const Node stays = found == ends.end() ? store_.value(other) : noNode;
+      return found == ends.end() ? RunBounds::Ends{stays, stays} : found->second;
+    });
+    changing.push_back(ofDevices.contains(place) ? more : graph.land(more, isWithin));
+  }
+  auto changes = changing.begin();
+  for (const auto& [place, before] : places) {
+    const Node fresh = ends.at(place).after;
+    machine_.when(*changes++, [&] {
       if (place.isRegister)
         machine_.set(place.reg, place.at, {fresh});
       else if (place.width == 1)

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "analysis/encoding/scan_encoding.hpp"
+#include "ir/s7200/isa/comm.hpp"
 #include "ir/s7300/place.hpp"
 
 namespace rungproof {

@@ -87,42 +87,60 @@ class PulseFinder {
     if (key == noKey()) return std::nullopt;
     return Literal{key, invertsImage(*contact.desc)};
   }
-  /// Bit contacts of a rung that is one series of contacts (`joint`: And) or one row of parallel ones (Or).
-  std::optional<std::vector<Literal>> rungBefore(const InstructionPlace& place, Role joint) const {
-    const auto [known, isNew] = rungs_.try_emplace(std::tuple(place.block, place.network, joint));
-    auto rung = walkBack(place, joint, isNew ? nullptr : &known->second);
-    known->second = KnownRung{place.step, rung};
-    return rung;
-  }
-  /// What was found in front of the last step of a network that was asked about: outputs behind each other share it.
+  /// What was found in front of a step.
   struct KnownRung {
     std::uint32_t step = 0;
     std::optional<std::vector<Literal>> literals;
   };
-  std::optional<std::vector<Literal>> walkBack(const InstructionPlace& place, Role joint,
-                                               const KnownRung* known) const {
+  /// Of a network: outputs behind each other share what stands in front of them, branches what stands in front of LPS.
+  struct KnownRungs {
+    KnownRung ofOutput, ofBranch;
+  };
+
+  /// Bit contacts of a rung that is one series of contacts (`joint`: And) or one row of parallel ones (Or).
+  std::optional<std::vector<Literal>> rungBefore(const InstructionPlace& place, Role joint) const {
+    KnownRungs& known = rungs_[std::tuple(place.block, place.network, joint)];
+    KnownRung branch;
+    std::size_t behindBranch = 0;
+    std::optional<std::vector<Literal>> literals = std::vector<Literal>();
+    if (!walkBack(place, joint, known, *literals, branch.step, behindBranch)) literals.reset();
+    if (literals && branch.step > 0)
+      branch.literals.emplace(literals->begin() + static_cast<std::ptrdiff_t>(behindBranch), literals->end());
+    if (branch.step > 0) known.ofBranch = std::move(branch);
+    known.ofOutput = {place.step, literals};
+    return literals;
+  }
+  /// False: it is no such rung. `branch`: the step of the nearest LPS, `behindBranch` literals stand behind it.
+  bool walkBack(const InstructionPlace& place, Role joint, const KnownRungs& known, std::vector<Literal>& literals,
+                std::uint32_t& branch, std::size_t& behindBranch) const {
     const Flow& flow = facts_.plan().flows[place.block];
-    std::vector<Literal> literals;
     for (std::uint32_t at = place.step; at > 0 && flow.steps[at - 1].network == place.network;) {
-      if (known != nullptr && known->step == at && literals.empty()) return known->literals;
+      for (const KnownRung* rung : {&known.ofOutput, &known.ofBranch}) {
+        if (rung->step != at) continue;
+        if (rung->literals) literals.insert(literals.end(), rung->literals->begin(), rung->literals->end());
+        return rung->literals.has_value();
+      }
       const Instruction& instruction = *flow.steps[--at].instruction;
       const Role role = roleOf(instruction);
       if (role == Role::Load || role == joint) {
         if (const auto literal = literalOf(instruction, place.block))
           literals.push_back(*literal);
         else if (joint == Role::Or)
-          return std::nullopt;
-        if (role == Role::Load) return literals;
+          return false;
+        if (role == Role::Load) return true;
       } else if (role == Role::Lpp || role == Role::Lrd) {
         for (int open = 1; open > 0 && at > 0;) {
           const Role earlier = roleOf(*flow.steps[--at].instruction);
           open += earlier == Role::Lpp ? 1 : earlier == Role::Lps ? -1 : 0;
         }
-      } else if (role != Role::Lps && (isLogic(role) || instruction.desc->control != Control::None)) {
-        return std::nullopt;
+      } else if (role == Role::Lps) {
+        if (branch == 0) behindBranch = literals.size();
+        if (branch == 0) branch = at;
+      } else if (isLogic(role) || instruction.desc->control != Control::None) {
+        return false;
       }
     }
-    return std::nullopt;
+    return false;
   }
 
   void coil(const InstructionPlace& place, const Operand& o) {
@@ -205,7 +223,7 @@ class PulseFinder {
 
   const Facts& facts_;
   KnownBits bits_;
-  mutable std::map<std::tuple<std::uint32_t, std::uint32_t, Role>, KnownRung> rungs_;  ///< by block, network, joint
+  mutable std::map<std::tuple<std::uint32_t, std::uint32_t, Role>, KnownRungs> rungs_;  ///< by block, network, joint
 };
 
 }  // namespace

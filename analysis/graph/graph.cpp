@@ -2,6 +2,7 @@
 // The rules themselves: graph_boolean.cpp, graph_words.cpp, graph_compare.cpp, graph_slices.cpp, graph_facts.cpp.
 #include "analysis/graph/graph.hpp"
 
+#include "analysis/graph/evaluate.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
@@ -256,7 +257,13 @@ Graph::Bits Graph::rsub(Bits a, Bits b) { return {make(Op::RealSub, 32, a.node, 
 Graph::Bits Graph::rmul(Bits a, Bits b) { return {make(Op::RealMul, 32, a.node, b.node)}; }
 Graph::Bits Graph::rdiv(Bits a, Bits b) { return {make(Op::RealDiv, 32, a.node, b.node)}; }
 Graph::Bits Graph::rfunction(std::uint64_t f, Bits a) {
-  return {make(Op::RealFunction, 32, a.node, noNode, noNode, f)};
+  const Bits result{make(Op::RealFunction, 32, a.node, noNode, noNode, f)};
+  if (static_cast<RealFunction>(f) == RealFunction::Sqrt) return result;  // has circuits
+  // Checks of certificates know nothing of the function but its value where the argument is known.
+  const std::optional<std::uint64_t> argument = known(a);
+  if (!argument) return result;
+  const std::uint64_t value = evaluateOperation(Op::RealFunction, 32, {32, 0}, {*argument, 0, 0}, f);
+  return select(equal(a, literal(*argument, 32), 32), literal(value, 32), result, 32);
 }
 Graph::Bool Graph::requal(Bits a, Bits b) { return {make(Op::RealEqual, 1, a.node, b.node)}; }
 Graph::Bool Graph::rless(Bits a, Bits b) { return {make(Op::RealLess, 1, a.node, b.node)}; }

@@ -147,9 +147,8 @@ std::vector<std::string> assumptionsOfCalls(const Facts& facts) {
     const Pou& pou = facts.program().pous[block];
     if (!mayRun[block] || !s7300::isContractOnly(pou)) continue;
     sayOfLibrary(pou.name);
-    const s7300::LibraryBlock* row =
-        s7300::libraryBlock(pou.type, static_cast<std::uint32_t>(numberOfBlock(pou.number)));
-    if (row != nullptr && !effectOutside(*row).empty()) say(fmt::format("{}: {}", pou.name, effectOutside(*row)));
+    const std::string_view effect = s7300::effectOutside(pou.type, numberOfBlock(pou.number));
+    if (!effect.empty()) say(fmt::format("{}: {}", pou.name, effect));
   }
   return texts;
 }

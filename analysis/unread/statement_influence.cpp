@@ -460,12 +460,12 @@ std::uint32_t StatementInfluence::causeRead(std::uint32_t block, std::uint32_t n
   return none;
 }
 
-/// The blocks that a call may run; by a number that is computed, any FC.
+/// The blocks that a call may run; by a number that is computed, any of its kind.
 template <class Visit>
 void StatementInfluence::eachCallee(std::uint32_t block, const Instruction& call, Visit&& visit) const {
   if (!call.operands.empty() && call.operands[0].kind == OperandKind::Indirect) {
     for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
-      if (facts_.program().pous[b].type == BlockType::Fc) visit(b);
+      if (facts_.program().pous[b].type == typeOfComputedCall(call.operands[0].value)) visit(b);
     }
     return;
   }

@@ -53,8 +53,11 @@ std::string placeName(std::string_view text) {
 
 std::string PlaceNames::of(std::string_view text) {
   const std::string plain = placeName(text);
-  std::string name = plain;
-  for (int i = 2; !given_.insert(name).second; ++i) name = fmt::format("{}-{}", plain, i);
+  int& last = last_[plain];
+  std::string name;
+  do {
+    name = ++last == 1 ? plain : fmt::format("{}-{}", plain, last);
+  } while (!given_.insert(name).second);
   return name;
 }
 

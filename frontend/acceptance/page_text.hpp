@@ -24,6 +24,7 @@ class PlaceNames {
 
  private:
   std::set<std::string> given_;
+  std::map<std::string, int> last_;  ///< number behind a name
 };
 
 /// Writes texts with the symbol behind each address and the address behind each symbol.

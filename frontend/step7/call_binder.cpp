@@ -204,10 +204,11 @@ bool StatementBinder::call(const Desc& desc, const Statement& statement) {
   return true;
 }
 
-/// UC FC[MW10], UC #block: which block it is, the run decides.
+/// UC FC[MW10], UC FB[MW10], UC #block: which block it is, the run decides. An FB works on the data that DI and AR2
+/// name (002:246).
 bool StatementBinder::indirectCall(const Desc& desc, const Statement& statement, BoundOperand target) {
   const std::string& mnemonic = statement.mnemonic.text;
-  const bool byNumber = target.block && (target.block->kind == BlockKind::Fc);
+  const bool byNumber = target.block && (target.block->kind == BlockKind::Fc || target.block->kind == BlockKind::Fb);
   const bool byParameter = target.type && target.type->kind == TypeKind::BlockFc;
   if (mnemonic == "CALL" || (!byNumber && !byParameter))
     return refuse(Syntax::Operand7, statement.operand.span,

@@ -289,7 +289,7 @@ void Scan<D, Hooks>::step7Call(const Instruction& instruction) {
     if (callee == nullptr || callee->pou->protectedBlock) return hooks_.callWithoutBody(*this, instruction);
     return enterBlock(*callee, instruction);
   }
-  const BlockType type = block.text.starts_with("FB") ? BlockType::Fb : BlockType::Fc;
+  const BlockType type = typeOfComputedCall(block.value);
   const Bits number = Step7Places<D>(m_).blockNumberOf(block);
   Bool exists = m_.d.constant(false);
   const Bool guard = m_.guard;

@@ -116,8 +116,8 @@ std::span<const std::uint16_t> functionsBeyondParameters() {
 }
 
 std::span<const std::uint16_t> blocksBeyondParameters() {
-  // HS_COUNT, FREQ_MES, HSC_A_B, POS, ANALOG, DIGITAL, COUNT, FREQUENC, PULSE (002:2367, general knowledge)
-  static constexpr auto numbers = std::to_array<std::uint16_t>({29, 30, 38, 39, 44, 46, 47, 48, 49});
+  // HS_COUNT, FREQ_MES, HSC_A_B, POS, ANALOG, DIGITAL (002:2367, general knowledge)
+  static constexpr auto numbers = std::to_array<std::uint16_t>({29, 30, 38, 39, 44, 46});
   return numbers;
 }
 

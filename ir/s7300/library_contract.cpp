@@ -39,13 +39,16 @@ std::string standInName(const LibraryBlock& block) {
   return fmt::format("{} {}", blockName(blockNumber(block.type, block.number)), block.name);
 }
 
-std::string_view effectOutside(const LibraryBlock& block) {
-  if (block.type != Sfc) return {};
-  if (block.number == 15) return "what it sends to a DP slave is no output of the program";
-  if (block.number == 26) return "every input of the image may change where it is called, whatever PART says";
-  if (block.number == 79 || block.number == 80)
+std::string_view effectOutside(BlockType type, int number) {
+  // COUNT, FREQUENC, PULSE of a CPU 31xC (002:2367)
+  if (type == Sfb && number >= 47 && number <= 49)
+    return "an output of the CPU that the block drives itself is not the one of the image";
+  if (type != Sfc) return {};
+  if (number == 15) return "what it sends to a DP slave is no output of the program";
+  if (number == 26) return "every input of the image may change where it is called, whatever PART says";
+  if (number == 79 || number == 80)
     return "it writes the image of the outputs, and the modules get that where the scan ends";
-  if (block.number == 27) return "outputs are looked at where the scan ends, not where it writes them";
+  if (number == 27) return "outputs are looked at where the scan ends, not where it writes them";
   return {};
 }
 

@@ -17,6 +17,6 @@ bool isContractOnly(const Pou& pou);
 /// The name that the stand-in of a block has in a program: "SFC41 DIS_AIRT".
 std::string standInName(const LibraryBlock& block);
 /// What a call of the block does besides that properties do not see; empty: nothing.
-std::string_view effectOutside(const LibraryBlock& block);
+std::string_view effectOutside(BlockType type, int number);
 
 }  // namespace rungproof::s7300

@@ -162,6 +162,14 @@ TEST(ToldFacts, ConditionsOfDevicesAreShown) {
   EXPECT_EQ(refuted, all);
 }
 
+// MD0 is written nowhere, so that the logarithm of it is the one of 0, which is no number; that is known of it alone.
+TEST(ToldFacts, FunctionsOfKnownArguments) {
+  for (const char* function : {"LN", "EXP", "SIN", "COS", "TAN"})
+    expectShown(inputOfSource(std::string("//@ prove exclude: never Q0.0 and Q0.1\nLD I0.0\n") + function +
+                              " MD0, MD8\nLD I0.1\nAN I0.2\n= Q0.0\nLD I0.2\nAN I0.1\n= Q0.1\n"),
+                "known conditions");
+}
+
 TEST(ToldFacts, AMissingTargetOfAPointerIsRefused) {
   const ProgramInput input = inputOfSource(pointers);
   expectShown(input, "targets of pointers");

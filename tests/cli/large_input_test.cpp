@@ -43,6 +43,32 @@ TEST(LargeInput, ReportsOfManyFindingsTakeNoMoreMemoryThanTheFindings) {
   }
 }
 
+// Each finding has a place of its own in the page, though all have the same name.
+TEST(LargeInput, PagesOfManyFindingsGrowWithThem) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("p.awl", repeated(50'000, [](std::size_t i) {
+                                         return "Network " + std::to_string(i + 1) + "\nLD I0.0\n= Q9.9\n";
+                                       }));
+  const ProcessRun made = execute({"lint", "--isolated", "--format=html=" + folder.path("page.html"), file});
+  EXPECT_FALSE(made.isCut);
+  EXPECT_LT(made.peakBytes, 500 * mebibyte);
+}
+
+// Each branch asks what stands in front of it, which is in front of all.
+TEST(LargeInput, BranchesOfOneRungAreFollowedOnce) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("p.awl", "Network 1\nLD I0.0\n" + repeated(200'000, [](std::size_t i) {
+                                                  const std::string bit = "." + std::to_string(i % 8) + "\n";
+                                                  return "LPS\nA V" + std::to_string(i / 8 % 4000) + bit + "= V" +
+                                                         std::to_string(4000 + i / 8 % 4000) + bit + "LPP\n";
+                                                }) + "= Q0.0\n");
+  for (const char* command : {"lint", "show"}) {
+    const ProcessRun made = execute({command, "--isolated", file});
+    EXPECT_FALSE(made.isCut) << command;
+    EXPECT_LT(made.peakBytes, 1000 * mebibyte) << command;
+  }
+}
+
 TEST(LargeInput, ALineOfMegabytesIsShownInPart) {
   const TemporaryFolder folder;
   const ProcessRun made = execute({"lint", "--isolated", folder.file("p.awl", std::string(20'000'000, 'A'))});

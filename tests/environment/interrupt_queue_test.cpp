@@ -88,6 +88,29 @@ TEST(InterruptQueueProof, ManyRunsKeepWhatEachRunKeeps) {
             Outcome::Proved);
 }
 
+// Two edges count, the second never beyond the first; what one takes from a stock the other brings back.
+TEST(InterruptQueueProof, ManyRunsKeepWhatTheyKeepOfTwoCells) {
+  const std::string both = "LD SM0.1;ATCH INT_0,0;ATCH INT_1,2;ENI";
+  const std::vector<std::string> follows = {"LDB< MB1,8;INCB MB1", "LDB< MB2,MB1;INCB MB2"};
+  EXPECT_EQ(verdict("prove behind: MB2 <= MB1", both, follows), Outcome::Proved);
+  EXPECT_EQ(verdict("reach level: MB1 = 5 and MB2 = 5", both, follows), Outcome::Reachable);
+  EXPECT_EQ(verdict("prove before: MB1 <= MB2", both, follows), Outcome::Violated);
+  const std::vector<std::string> stock = {"LDB> MB3,0;DECB MB3;INCB MB4"};
+  const std::string ten = "LD SM0.1;MOVB 10,MB3;ATCH INT_0,0;ENI";
+  EXPECT_EQ(verdict("prove sum: MB3 + MB4 = 10", ten, stock), Outcome::Proved);
+  EXPECT_EQ(verdict("reach some: MB4 = 5", ten, stock), Outcome::Reachable);
+  EXPECT_NE(verdict("prove sum: MB3 + MB4 = 10", ten, {"LD SM0.0;DECB MB3;LDB> MB3,0;INCB MB4"}), Outcome::Proved);
+  // Both counts rise together; a bit and its opposite; never two steps.
+  EXPECT_EQ(verdict("prove even: MB1 = MB2", "LD SM0.1;ATCH INT_0,0;ENI", {"LDB< MB1,200;INCB MB1;INCB MB2"}),
+            Outcome::Proved);
+  EXPECT_EQ(verdict("prove one: not (M0.1 and M0.2)", both, {"LDN M0.2;S M0.1,1", "LDN M0.1;S M0.2,1"}),
+            Outcome::Proved);
+  // The limit is another cell, which the program writes and no routine does.
+  const std::string limit = "LD SM0.1;MOVB 7,MB3;ATCH INT_0,0;ENI;LDB> MB1,3;MOVB 0,MB1";
+  EXPECT_EQ(verdict("prove below: MB1 < MB3", limit, {"LD SM0.0;INCB MB1;LDB>= MB1,MB3;MOVB 0,MB1"}), Outcome::Proved);
+  EXPECT_EQ(verdict("prove below: MB1 < MB3", limit, {"LD SM0.0;INCB MB1;LDB> MB1,MB3;MOVB 0,MB1"}), Outcome::Violated);
+}
+
 TEST(InterruptQueueProof, DetachedEventsThatWaitMayRunOrNot) {
   const std::vector<std::string> routine = {"LD SM0.0;S M0.0,1"};
   const std::string main = "LD SM0.1;ATCH INT_0,0;DTCH 0;ENI";

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/bits/bit_arithmetic.hpp"
+#include "ir/check.hpp"
 
 namespace rungproof {
 namespace {
@@ -105,6 +106,29 @@ TEST(Race, NoQuestionHasATurnWhenItIsCancelled) {
   RaceRun run;
   race.run(run);
   EXPECT_EQ(turns, 0);
+}
+
+/// A defect of ours.
+class BreakingEngine final : public Engine {
+ public:
+  Verdict advance(const Budget&) override { CHECK(false, "planted by a test"); }
+};
+
+// The engine that breaks leaves the race: its question has the answer of the others, or none, and so have the rest.
+TEST(Race, AnEngineThatBreaksCostsNoOtherAnswer) {
+  const BitSystem near = counterTo(20, 8);
+  BreakingEngine first, second;
+  std::vector<RaceQuestion> questions = openQuestions(near, first, 1);
+  questions.push_back(questionOf(near));
+  questions.back().words = &second;
+  questions.push_back(questionOf(near));
+  Race race(std::move(questions), {.jobs = 2});
+  RaceRun run;
+  run.seconds = 5;
+  race.run(run);
+  EXPECT_EQ(race.questions()[0].verdict.answer, Answer::Unknown);
+  EXPECT_EQ(race.questions()[1].verdict.answer, Answer::Violated);
+  EXPECT_EQ(race.questions()[2].verdict.answer, Answer::Violated);
 }
 
 }  // namespace

@@ -105,6 +105,43 @@ TEST(ContractOnly, UcAndCcOfAnFb) {
   }
 }
 
+// The number may be computed (003: memory-indirect operands); which FBs exist decides what may run.
+TEST(ContractOnly, ComputedCallsOfAnFb) {
+  const std::string blocks =
+      "FUNCTION_BLOCK FB 1\nVAR\n  n : INT ;\nEND_VAR\nBEGIN\nNETWORK\nL #n;\nL 1;\n+I;\nT #n;\nEND_FUNCTION_BLOCK\n"
+      "FUNCTION_BLOCK FB 2\nBEGIN\nNETWORK\nSET;\nS Q 1.0;\nEND_FUNCTION_BLOCK\nFUNCTION FC 2 : VOID\nBEGIN\n"
+      "NETWORK\nSET;\nS Q 1.1;\nEND_FUNCTION\nDATA_BLOCK DB 1\nFB 1\nBEGIN\nEND_DATA_BLOCK\n";
+  const std::string main = block(1, "OPN DI 1;L 1;T MW 20;UC FB [MW 20];L 2;T MW 20;A I 0.1;CC FB [MW 20]");
+  EXPECT_EQ(lastRow(blocks + main, "Q1.0,Q1.1,DB1.DBW0", {"--set", "I0.1=1", "--scans", "3"}), "3,30,10,1,0,3");
+  EXPECT_EQ(lastRow(blocks + main, "Q1.0,Q1.1,DB1.DBW0", {"--scans", "2"}), "2,20,10,0,0,2");
+  const Output proof = proofOf("prove kept: I0.1 implies Q1.0\nprove other: not Q1.1\n", blocks + main);
+  EXPECT_TRUE(proof.has("PROVED  kept")) << proof.text;
+  EXPECT_TRUE(proof.has("PROVED  other")) << proof.text;
+  // An input decides: FB 2 runs where it says so; a number without a block stops the CPU.
+  const std::string chosen = block(1, "OPN DI 1;UC FB [IW 4]");
+  const Output open =
+      proofOf("prove off: not Q1.0\nprove only: IW4 <> 2 and prev(not Q1.0) implies not Q1.0\n", blocks + chosen);
+  EXPECT_TRUE(open.has("VIOLATED  off")) << open.text;
+  EXPECT_TRUE(open.has("PROVED  only")) << open.text;
+  for (const char* command : {"lint", "xref", "show", "check"}) {
+    const test::TemporaryFolder folder;
+    EXPECT_LE(run({command, folder.file("main.awl", blocks + main)}).exit, 1) << command;
+  }
+}
+
+// What an integrated function of the CPU drives is no output of the image; its outputs are any value (002:2367).
+TEST(ContractOnly, IntegratedFunctions) {
+  for (const char* number : {"47", "48", "49"}) {
+    const std::string text = "DATA_BLOCK DB 5\nSFB " + std::string(number) + "\nBEGIN\nEND_DATA_BLOCK\n" +
+                             block(1, "A I 0.0;= Q 0.0;CALL SFB " + std::string(number) +
+                                          ", DB 5 (LADDR := W#16#300, CHANNEL := 0, JOB_DONE := M 4.0)");
+    const Output proof = proofOf("prove apart: Q0.0 = I0.0\nprove done: not M4.0\n", text);
+    EXPECT_TRUE(proof.has("PROVED  apart")) << proof.text;
+    EXPECT_TRUE(proof.has("VIOLATED  done")) << proof.text;
+    EXPECT_TRUE(proof.has("is not the one of the image")) << proof.text;
+  }
+}
+
 // OUT = ((IN - LO_LIM) / (HI_LIM - LO_LIM)) * (K2 - K1) + K1 with K2 = 27648 and K1 = 0, or -27648 where BIPOLAR is 1
 // (002:2625-2651). Half of 0 .. 100 is 13824 or 0, a quarter 6912 or -13824; beyond the limits OUT is the limit.
 TEST(ContractOnly, Fc106GivesWhatItsFormulaSays) {

@@ -79,7 +79,7 @@ TEST(Gaps, BlocksOfTheSystem) {
   for (const char* call :
        {"CALL SFC 22 (LOW_LIMIT := W#16#5, UP_LIMIT := W#16#9, COUNT := W#16#4, RET_VAL := MW 4, DB_NUMBER := MW 6);",
         "CALL SFC 61 (CIRCLE_ID := B#16#1, BLOCK_ID := B#16#1, RET_VAL := MW 4);",
-        "CALL SFB 47, DB 5 (LADDR := W#16#300, SW_GATE := M 0.0);"}) {
+        "CALL SFB 46, DB 5 (LADDR := W#16#300, CHANNEL := 0);"}) {
     const test::TemporaryFolder folder;
     folder.file("main.awl", std::string("ORGANIZATION_BLOCK OB 1\n//@ prove off: not Q0.0\n//@ prove on: Q0.0\nBEGIN\n"
                                         "NETWORK\nSET;\n= Q 0.0;\n") +
