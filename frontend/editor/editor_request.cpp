@@ -6,6 +6,7 @@
 
 #include "frontend/editor/code_action.hpp"
 #include "frontend/editor/completion.hpp"
+#include "frontend/editor/coverage_hints.hpp"
 #include "frontend/editor/cursor.hpp"
 #include "frontend/editor/editor_server.hpp"
 #include "frontend/editor/hover.hpp"
@@ -24,7 +25,7 @@ Form formNamed(std::string_view name) { return name == "fbd" ? Form::Fbd : name 
 }  // namespace
 
 std::span<const EditorServer::Request> EditorServer::requests() {
-  static constexpr std::array<Request, 11> rows = {{
+  static constexpr std::array<Request, 12> rows = {{
       {"initialize", &EditorServer::initialize},
       {"shutdown", &EditorServer::shutdown},
       {"textDocument/hover", &EditorServer::hover},
@@ -34,6 +35,7 @@ std::span<const EditorServer::Request> EditorServer::requests() {
       {"textDocument/completion", &EditorServer::completion},
       {"textDocument/codeAction", &EditorServer::codeAction},
       {"textDocument/codeLens", &EditorServer::codeLens},
+      {"textDocument/inlayHint", &EditorServer::inlayHint},
       {"workspace/symbol", &EditorServer::workspaceSymbol},
       {"rungproof/network", &EditorServer::network},
   }};
@@ -95,6 +97,11 @@ EditorServer::Answer EditorServer::codeAction(const RpcMessage& message) {
 EditorServer::Answer EditorServer::codeLens(const RpcMessage& message) {
   Open* const open = openOf(message.params);
   return open == nullptr ? Answer(notOpen()) : Answer(lensesOf(checked(*open), open->verdicts));
+}
+
+EditorServer::Answer EditorServer::inlayHint(const RpcMessage& message) {
+  Open* const open = openOf(message.params);
+  return open == nullptr ? Answer(notOpen()) : Answer(coverageHints(checked(*open), open->document.path));
 }
 
 EditorServer::Answer EditorServer::network(const RpcMessage& message) {

@@ -48,6 +48,7 @@ Json capabilities() {
           {"workspaceSymbolProvider", true},
           {"completionProvider", Json{{"triggerCharacters", Json::array({" ", ",", ":", "@"})}}},
           {"codeActionProvider", Json{{"codeActionKinds", Json::array({"quickfix", "source.fixAll.rungproof"})}}},
+          {"inlayHintProvider", true},
           {"codeLensProvider", Json{{"resolveProvider", false}}},
           {"executeCommandProvider", Json{{"commands", Json::array({"rungproof.prove", "rungproof.show"})}}}};
 }

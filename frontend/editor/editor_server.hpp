@@ -59,6 +59,7 @@ class EditorServer : public RpcServer {
   Answer completion(const RpcMessage& message);
   Answer codeAction(const RpcMessage& message);
   Answer codeLens(const RpcMessage& message);
+  Answer inlayHint(const RpcMessage& message);
   Answer network(const RpcMessage& message);
   void executeCommand(const RpcMessage& message);
   void startProof(const RpcMessage& message, Open& open, const std::string& name);
