@@ -22,6 +22,8 @@ constexpr std::uint64_t shortWait = 6;  ///< scans: two early and two late leave
 constexpr std::uint64_t skewScans = 4;  ///< of the wait, that skews may take away
 constexpr std::uint64_t mostSettling = 40;
 constexpr std::uint64_t longestWaitScans = 40000;
+constexpr std::uint64_t leastStretch = 100;  ///< scans
+constexpr std::size_t enoughNodes = 3000;    ///< to draw walks from
 constexpr unsigned scansOfClock = 3;
 constexpr unsigned scansAtRest = 12;  ///< longer than half a period of SM0.5
 
@@ -82,6 +84,11 @@ class BenchSearch::Impl {
       tryStep(from, step);
     }
     return false;
+  }
+
+  void explore(Clock::time_point end) {
+    end_ = end;
+    search([&] { return nodes_.size() >= enoughNodes; });
   }
 
   bool follow(const std::vector<BenchStep>& steps) {
@@ -300,8 +307,7 @@ class BenchSearch::Impl {
     std::uint64_t scans = 0, changed = 0;
     const std::uint64_t margin = skewScans + 2;
     restingScans_ = 0;
-    const std::uint64_t most = options_.seconds < 1 ? 100 : longestWaitScans;
-    for (; scans < most && (changed == 0 || scans < changed + margin); ++scans) {
+    for (; scans < longestWaitScans && (changed == 0 || scans < changed + margin); ++scans) {
       if (!scanObserved() || (scans % 256 == 255 && Clock::now() > end_)) return false;
       Look now = look();
       if (now != last && scans > 0 && changed == 0) changed = scans + 1;
@@ -309,10 +315,36 @@ class BenchSearch::Impl {
       if (changed == 0 && (scans > restScans_ || !isMoving())) break;
     }
     if (changed == 0) return false;
-    if (isIec(program_.target) && !replays_) scans = longerRest(last, scans, 2 * changed + margin);
+    if (!replays_) {
+      const std::uint64_t middle = middleOfStretch(scans, changed);
+      if (middle > scans) {
+        for (; scans < middle; ++scans) {
+          if (!scanObserved()) return false;
+        }
+      } else if (isIec(program_.target)) {
+        scans = longerRest(last, scans, 2 * changed + margin);
+      }
+    }
     step.wait = {1, scans * us};
     restScans_ = std::max(restScans_, 2 * changed + 20);
     return true;
+  }
+
+  /// Where time alone moves outputs on and on: the middle between the change and the next one, which scans of other
+  /// lengths shift the least. `scans` where nothing comes for as long again.
+  std::uint64_t middleOfStretch(std::uint64_t scans, std::uint64_t changed) {
+    Simulator& simulator = *runs_[0]->simulator;
+    const BenchState kept = stateOf(0);
+    const std::vector<std::optional<double>> outputs = sampleValues(simulator.store(), signals_.outputs);
+    simulator.observe(nullptr);
+    std::uint64_t next = 0;
+    for (std::uint64_t i = scans; next == 0 && i < scans + changed + leastStretch; ++i) {
+      simulator.scan({.lengthUs = runs_[0]->scanUs});
+      if (sampleValues(simulator.store(), signals_.outputs) != outputs) next = i + 1;
+    }
+    simulator.goOnFrom(kept.store, kept.moment);
+    simulator.observe(&recorder_);
+    return std::max(scans, (changed + next) / 2);
   }
 
   /// Whether memory or a timer has changed in the last scans: where nothing moves, waiting is no use.
@@ -381,7 +413,7 @@ class BenchSearch::Impl {
   CoverageRecorder shortRecorder_;  ///< only for what contacts see at the end of steps
   const std::vector<const Property*> assumptions_;
   const bool isTimed_, replays_;
-  const Clock::time_point end_;
+  Clock::time_point end_;
   StillOutside outside_;
   Concrete domain_{outside_};
   std::vector<std::unique_ptr<Run>> runs_;
@@ -411,6 +443,7 @@ BenchSearch::BenchSearch(const Program& program, const TestSignals& signals, con
     : impl_(std::make_unique<Impl>(program, signals, map, assumptions, options)) {}
 BenchSearch::~BenchSearch() = default;
 bool BenchSearch::search(const std::function<bool()>& isDone) { return impl_->search(isDone); }
+void BenchSearch::explore(Clock::time_point end) { impl_->explore(end); }
 bool BenchSearch::follow(const std::vector<BenchStep>& steps) { return impl_->follow(steps); }
 const CoverageRecorder& BenchSearch::recorder() const { return impl_->recorder(); }
 const std::vector<BenchSearch::Node>& BenchSearch::nodes() const { return impl_->nodes(); }

@@ -5,11 +5,11 @@
 // tests/tables/generate_command_test.cpp.
 #pragma once
 
-#include <chrono>
 #include <functional>
 #include <memory>
 #include <vector>
 
+#include "analysis/testing/processor_clock.hpp"
 #include "analysis/testing/test_signals.hpp"
 #include "analysis/witness/follower.hpp"
 #include "engine/coverage/coverage_recorder.hpp"
@@ -32,7 +32,7 @@ struct BenchOptions {
 
 class BenchSearch {
  public:
-  using Clock = std::chrono::steady_clock;
+  using Clock = ProcessorClock;
   /// A state that was reached, with the way to it.
   struct Node {
     std::size_t parent = 0;
@@ -56,6 +56,8 @@ class BenchSearch {
 
   /// Searches until `isDone` or the time is over. False: nothing is left to be tried.
   bool search(const std::function<bool()>& isDone);
+  /// Goes on whatever is covered, until `end` or some thousands of states, so that there are more ways to choose from.
+  void explore(Clock::time_point end);
   /// Makes steps from power-on, and keeps where they lead. Whether they covered something new.
   bool follow(const std::vector<BenchStep>& steps);
 

@@ -4,12 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <set>
 
-#include "analysis/equivalence/equivalence.hpp"
 #include "analysis/equivalence/output_name.hpp"
+#include "analysis/testing/processor_clock.hpp"
 #include "analysis/testing/test_signals.hpp"
 #include "ir/dialect.hpp"
 #include "ir/iec/expression_role.hpp"
@@ -132,18 +131,30 @@ std::string noticedBy(const Program& mutant, const std::vector<TestTable>& table
 
 std::vector<Mutant> mutantsOf(const Program& program) { return MutantFinder(program).run(); }
 
+Equivalence compareWithFault(const Program& program, const Program& mutant, const PropertySet& set,
+                             const ProverOptions& prover) {
+  EquivalenceOptions both;
+  // Outputs of IEC 61131-3 programs are variables, whose places a mutant keeps.
+  if (isIec(program.target)) {
+    for (const TraceSignal& output : testSignalsOf(program, set).outputs) both.observed.push_back(output.operand);
+  }
+  both.prover = prover;
+  both.prover.checks = {};
+  both.prover.evidence = false;
+  both.prover.certificates = false;
+  both.prover.jobs = 1;
+  PropertySet surroundings = set;
+  std::erase_if(surroundings.properties, [](const Property& p) { return p.isGoal(); });
+  return compareBehaviour({&program, surroundings}, {&mutant, surroundings}, both);
+}
+
 std::vector<KillResult> killMutants(const Program& program, const PropertySet& set,
                                     const std::vector<TestTable>& tables, const KillOptions& options) {
-  using Clock = std::chrono::steady_clock;
+  using Clock = ProcessorClock;
   const Clock::time_point end =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.seconds));
   std::vector<Mutant> mutants = mutantsOf(program);
   const std::size_t step = mutants.size() / std::max<std::size_t>(options.most, 1) + 1;
-  // Outputs of IEC 61131-3 programs are variables, whose places a mutant keeps.
-  Operands variables;
-  if (isIec(program.target)) {
-    for (const TraceSignal& output : testSignalsOf(program, set).outputs) variables.push_back(output.operand);
-  }
   std::vector<KillResult> results;
   for (std::size_t i = 0; i < mutants.size(); i += step) {
     KillResult result{std::move(mutants[i]), FaultFate::Undecided, {}, {}};
@@ -153,15 +164,9 @@ std::vector<KillResult> killMutants(const Program& program, const PropertySet& s
     if (!result.noticedBy.empty()) {
       result.fate = FaultFate::Noticed;
     } else if (Clock::now() < end) {
-      EquivalenceOptions both;
-      both.observed = variables;
-      both.prover = options.prover;
-      both.prover.timeout = options.patience;
-      both.prover.checks = {};
-      both.prover.evidence = false;
-      both.prover.certificates = false;
-      both.prover.jobs = 1;
-      const Equivalence found = compareBehaviour({&program, set}, {&mutant, set}, both);
+      ProverOptions prover = options.prover;
+      prover.timeout = options.patience;
+      const Equivalence found = compareWithFault(program, mutant, set, prover);
       result.fate = found.equality == Equality::Equal       ? FaultFate::NoEffect
                     : found.equality == Equality::Different ? FaultFate::Unnoticed
                                                             : FaultFate::Undecided;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/equivalence/equivalence.hpp"
 #include "analysis/proof/prover.hpp"
 #include "analysis/selfcheck/fault.hpp"
 #include "analysis/selfcheck/self_check.hpp"
@@ -20,6 +21,10 @@ struct Mutant {
 
 /// The faults of the self-check, then those of this file, in program order.
 std::vector<Mutant> mutantsOf(const Program& program);
+
+/// Whether a fault changes what outputs do, and a run on which it does. `prover`: its timeout is for the comparison.
+Equivalence compareWithFault(const Program& program, const Program& mutant, const PropertySet& set,
+                             const ProverOptions& prover);
 
 struct KillResult {
   Mutant mutant;

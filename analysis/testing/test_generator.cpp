@@ -2,12 +2,15 @@
 #include "analysis/testing/test_generator.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <random>
 #include <set>
 
-#include "analysis/testing/kill.hpp"
+#include "analysis/testing/bench_rows.hpp"
+#include "analysis/testing/fault_tests.hpp"
+#include "analysis/testing/robust_check.hpp"
 #include "analysis/testing/test_plan.hpp"
 #include "engine/testing/test_player.hpp"
 
@@ -15,59 +18,32 @@ namespace rungproof {
 
 namespace {
 
-constexpr double searchShare = 0.4, proofShare = 0.25;  ///< of the time; proofs may come twice
-constexpr std::uint64_t longStretchMs = 700;            ///< of a run of the prover, which a bench waits for
-constexpr double faultShare = 0.15, checkShare = 0.4;
-constexpr int mostSkew = 2;
-constexpr std::uint64_t sweepScans = 2 * mostSkew + 2;            ///< contacts come to rest whatever the skews
-constexpr std::uint64_t longWaitUs = 2000000, marginUs = 600000;  ///< a wait until rest is longer than the time by this
-constexpr std::size_t walkCount = 400, walkLength = 30;           ///< on which planted faults may show
-constexpr std::size_t randomPlays = 12;
-
-/// Memory as presets of a run leave it, to read whole inputs from.
-class PresetImage {
- public:
-  void write(const PresetValue& preset) {
-    const Operand& o = preset.operand;
-    if (o.width == Width::Bit) {
-      std::uint8_t& byte = bytes_[{o.area, o.offset}];
-      const auto mask = static_cast<std::uint8_t>(1U << o.bit);
-      byte = static_cast<std::uint8_t>(preset.value != 0 ? byte | mask : byte & ~mask);
-      return;
-    }
-    const int count = bytes(o.width);
-    for (int i = 0; i < count; ++i)
-      bytes_[{o.area, o.offset + static_cast<std::uint32_t>(i)}] =
-          static_cast<std::uint8_t>(preset.value >> (8 * (count - 1 - i)));
-  }
-  double read(const TraceSignal& signal) const {
-    const Operand& o = signal.operand;
-    std::uint64_t value = 0;
-    const int count = o.width == Width::Bit ? 1 : bytes(o.width);
-    for (int i = 0; i < count; ++i) {
-      const auto byte = bytes_.find({o.area, o.offset + static_cast<std::uint32_t>(i)});
-      value = value << 8 | (byte == bytes_.end() ? 0 : byte->second);
-    }
-    if (o.width == Width::Bit) value = value >> o.bit & 1;
-    return numberOf(value, signal.type, signal.width());
-  }
-
- private:
-  std::map<std::pair<Area, std::uint32_t>, std::uint8_t> bytes_;
-};
+constexpr double searchShare = 0.3, proofShare = 0.2;  ///< of the time; proofs may come twice
+constexpr double exploreShare = 0.1, faultShare = 0.4, walkShare = 0.6;
+constexpr std::uint64_t longStretchMs = 700;  ///< of a run of the prover, which a bench waits for
+constexpr std::uint64_t sweepScans = 2 * RobustCheck::mostSkew + 2;  ///< contacts come to rest whatever the skews
+constexpr std::size_t walkRounds = 8, walkCount = 15,
+                      walkLength = 25;  ///< of each kind, on which planted faults may show
+constexpr double patience = 0.4;        ///< for the comparison with one planted fault
+constexpr double timingShare = 0.05;    ///< of the steps
 
 class Generator {
+  using Clock = RobustCheck::Clock;
+
  public:
   Generator(const CoverageMap& map, const PropertySet& set, const GeneratorOptions& options)
       : map_(map),
         set_(set),
         options_(options),
         signals_(testSignalsOf(map.program(), set)),
+        rows_(map.program(), signals_, options.engine, options.shownUs),
+        check_(map.program(), rows_.columns(), {options.engine, options.lowUs, options.highUs, options.seed}),
         search_(map.program(), signals_, map, assumptionsOf(set), benchOptions(options)),
-        seen_(map) {}
+        seen_(map) {
+    result_.table = rows_.columns();
+  }
 
   GeneratedTests run() {
-    layOutColumns();
     const auto isDone = [&] {
       if (search_.recorder().news() == lastNews_) return isAllSeen_;
       lastNews_ = search_.recorder().news();
@@ -76,9 +52,13 @@ class Generator {
     search_.search(isDone);
     if (!isDone()) ask();
     writeTests();
-    for (TestCase& test : result_.table.tests) expectValues(test);
-    noticeFaults();
-    check();
+    repeatRuns();
+    for (TestCase& test : result_.table.tests) giveUpWhatVaries(test);
+    if (options_.measures.contains(Measure::Mcdc)) noticeFaults();
+    checkAll();
+    for (std::size_t i = 0; i < result_.table.tests.size(); ++i)
+      result_.table.tests[i].name = fmt::format("T{:02}", i + 1);
+    result_.plays = check_.runs();
     return std::move(result_);
   }
 
@@ -97,11 +77,6 @@ class Generator {
     bench.shortUs = std::max(options.lowUs, options.highUs / 10);
     bench.seconds = options.seconds * searchShare;
     return bench;
-  }
-
-  void layOutColumns() {
-    for (const TestInput& input : signals_.inputs) result_.table.sets.push_back({StimulusTarget::Memory, input.signal});
-    result_.table.expects = signals_.outputs;
   }
 
   /// What the search has not covered: is there a run at all? Runs become steps at the bench.
@@ -124,7 +99,8 @@ class Generator {
 
   void followRun(const Witness& witness) {
     for (const std::uint64_t scans : {6U, 1U}) {
-      if (search_.follow(stepsOf(witness, true, scans)) || search_.follow(stepsOf(witness, false, scans))) return;
+      if (search_.follow(stepsOf(witness.scans, true, scans)) || search_.follow(stepsOf(witness.scans, false, scans)))
+        return;
     }
   }
 
@@ -150,16 +126,20 @@ class Generator {
     }
   }
 
-  std::vector<BenchStep> stepsOf(const Witness& witness, bool risesFirst, std::uint64_t scans) const {
-    PresetImage image;
+  /// A run of the prover as steps at the bench; of inputs that change in one scan those that rise come first or last.
+  BenchTest stepsOf(const std::vector<ReplayScan>& run, bool risesFirst, std::uint64_t scans) const {
+    Concrete::Store image(map_.plan());
     std::vector<double> values(signals_.inputs.size(), 0);
-    std::vector<BenchStep> steps;
+    BenchTest steps;
     std::uint64_t restMs = 0;
-    for (const ReplayScan& scan : witness.scans) {
-      for (const PresetValue& preset : scan.inputs) image.write(preset);
+    for (const ReplayScan& scan : run) {
+      for (const PresetValue& preset : scan.inputs) {
+        const Operand& o = preset.operand;
+        image.save(o.area, o.offset * 8 + (o.width == Width::Bit ? o.bit : 0U), bits(o.width), preset.value, true);
+      }
       std::vector<std::pair<std::size_t, double>> changes;
       for (std::size_t i = 0; i < values.size(); ++i) {
-        const double now = image.read(signals_.inputs[i].signal);
+        const double now = sampleValues(image, {signals_.inputs[i].signal}).front().value_or(0);
         if (now == values[i]) continue;
         changes.emplace_back(i, now);
         values[i] = now;
@@ -190,73 +170,63 @@ class Generator {
     }
   }
 
-  void addIfUseful(const BenchTest& steps) {
-    TestCase test = caseOf(steps);
-    if (test.rows.empty()) return;
-    const std::size_t before = seen_.news();
-    Simulator simulator(map_.program(), options_.engine);
-    TestPlayOptions play = atShown();
-    play.observer = &seen_;
-    play.beforeScan = [&](std::uint64_t) { seen_.beginScan(); };
-    playTest(simulator, result_.table, test, play);
-    if (seen_.news() != before) add(std::move(test));
+  /// Runs of the prover that no bench with long scans repeats are tried with the shown ones, as they are.
+  void repeatRuns() {
+    for (const auto& [goal, answer] : result_.answers) {
+      if (answer.outcome != Outcome::Reachable || !answer.witness) continue;
+      const auto isStillOpen = [&] {
+        const std::vector<CoverageGoal> open = openGoals(seen_, options_.measures);
+        return std::ranges::find(open, goal) != open.end();
+      };
+      for (const std::int64_t moreMs : {0, 50, -50, 100, -100}) {
+        if (isStillOpen()) addIfUseful(runOf(answer.witness->scans, moreMs));
+      }
+    }
   }
 
-  void add(TestCase test) {
-    test.name = fmt::format("T{:02}", result_.table.tests.size() + 1);
+  /// A run as it was, with its last stretch that much longer.
+  BenchTest runOf(const std::vector<ReplayScan>& run, std::int64_t moreMs) const {
+    BenchTest steps;
+    std::uint64_t restMs = 0;
+    const auto wait = [&](std::int64_t more) {
+      const std::int64_t ms = static_cast<std::int64_t>(restMs) + more;
+      if (!steps.empty() && ms > 0) steps.push_back({{}, {1, static_cast<std::uint64_t>(ms) * 1000}});
+      restMs = 0;
+    };
+    std::vector<ReplayScan> soFar;
+    std::size_t known = 0;
+    for (const ReplayScan& scan : run) {
+      soFar.push_back({.inputs = scan.inputs});
+      const BenchTest changes = stepsOf(soFar, true, 1);
+      const std::size_t count = changes.front().changes.empty() ? 0 : changes.size();
+      if (count > known) {
+        wait(0);
+        steps.insert(steps.end(), changes.begin() + static_cast<std::ptrdiff_t>(known), changes.end());
+      } else if (steps.empty()) {
+        steps.push_back({{}, {1, 0}});
+      }
+      known = count;
+      restMs += std::uint64_t{scan.lengthMs} * scan.repeats;
+    }
+    wait(moreMs);
+    return steps;
+  }
+
+  void addIfUseful(const BenchTest& steps) {
+    TestCase test = rows_.caseOf(steps);
+    if (test.rows.empty()) return;
+    const std::size_t before = seen_.news();
+    playObserved(test, seen_);
+    if (seen_.news() == before) return;
+    rows_.expectValues(test);
     result_.table.tests.push_back(std::move(test));
   }
 
-  /// The rows of a test. A long wait is looked at once before its end, when nothing has come yet.
-  TestCase caseOf(const BenchTest& steps) const {
-    TestCase test;
-    std::vector<double> values(signals_.inputs.size(), 0);
-    for (const BenchStep& step : steps) {
-      TestRow row;
-      row.wait = step.wait;
-      row.sets.resize(signals_.inputs.size());
-      row.expects.resize(signals_.outputs.size());
-      for (const auto& [input, value] : step.changes) {
-        row.sets[input] = value;
-        row.step += (row.step.empty() ? "" : ", ") + stepText(signals_.inputs[input].signal, values[input], value);
-        values[input] = value;
-      }
-      if (row.step.empty()) row.step = test.rows.empty() ? "power on, all inputs off" : "wait";
-      const bool isLong = step.changes.empty() && row.wait.timeUs >= longWaitUs && !test.rows.empty();
-      if (isLong) {
-        TestRow early = row;
-        early.wait.timeUs = (row.wait.timeUs - marginUs) * 3 / 4 / 100000 * 100000;
-        row.wait.timeUs -= early.wait.timeUs - marginUs / 2;
-        test.rows.push_back(std::move(early));
-      }
-      test.rows.push_back(std::move(row));
-    }
-    if (test.rows.empty()) return test;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (!test.rows.front().sets[i]) test.rows.front().sets[i] = 0;
-    }
-    return test;
-  }
-
-  static std::string stepText(const TraceSignal& signal, double from, double to) {
-    if (signal.type != SignalType::Bool)
-      return fmt::format("set {} to {}", signalText(signal), numberText(to, signal.type));
-    return (to > from ? "switch on " : "switch off ") + signalText(signal);
-  }
-
-  void expectValues(TestCase& test) const {
+  void playObserved(const TestCase& test, CoverageRecorder& recorder) const {
     Simulator simulator(map_.program(), options_.engine);
-    TestPlayOptions play = atShown();
-    const std::vector<StepTimes> times = stepTimesOf(test, play.length);
-    std::size_t next = 0;
-    play.afterScan = [&](const Simulator& now, std::size_t) {
-      for (; next < times.size() && times[next].compares == now.scanCount(); ++next) {
-        const std::vector<std::optional<double>> values = sampleValues(now.store(), signals_.outputs);
-        for (std::size_t i = 0; i < values.size(); ++i) {
-          if (values[i]) test.rows[next].expects[i] = TestRange{*values[i], *values[i]};
-        }
-      }
-    };
+    TestPlayOptions play = rows_.atShown();
+    play.observer = &recorder;
+    play.beforeScan = [&](std::uint64_t) { recorder.beginScan(); };
     playTest(simulator, result_.table, test, play);
   }
 
@@ -285,173 +255,142 @@ class Generator {
 
   /// Faults that the tests do not notice so far: is there a way through what the search has seen on which they show?
   void noticeFaults() {
-    const auto end = BenchSearch::Clock::now() + std::chrono::duration_cast<BenchSearch::Clock::duration>(
-                                                     std::chrono::duration<double>(options_.seconds * faultShare));
-    std::vector<TestCase> candidates;
-    for (const BenchTest& steps : limitSweeps()) candidates.push_back(caseOf(steps));
-    for (const BenchTest& steps : walks(search_, options_.seed, walkCount, walkLength))
-      candidates.push_back(caseOf(steps));
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      if (BenchSearch::Clock::now() > end) candidates.resize(i);
-      if (i < candidates.size()) expectValues(candidates[i]);
-    }
-    TestPlayOptions play = atShown();
-    play.stopsAtFailure = true;
-    const auto noticedAt = [&](const Program& mutant, const TestCase& test) -> std::optional<std::size_t> {
-      Simulator simulator(mutant, options_.engine);
-      const TestPlay played = playTest(simulator, result_.table, test, play);
-      return played.failures.empty() ? std::nullopt : std::optional(played.failures.front().step);
+    const Clock::time_point end = in(faultShare);
+    FaultTests faults(map_.program(), rows_, check_, options_.engine);
+    faults.forget(result_.table.tests);
+    if (!faults.isDone()) search_.explore(in(exploreShare));
+    const auto isOver = [&] { return faults.isDone() || Clock::now() > end; };
+    const auto offer = [&](const BenchTest& steps, Looks looks) {
+      if (isOver()) return;
+      TestCase test = rows_.caseOf(steps, looks);
+      if (test.rows.empty()) return;
+      rows_.expectValues(test);
+      faults.offer(std::move(test));
     };
-    for (const Mutant& mutant : mutantsOf(map_.program())) {
-      if (BenchSearch::Clock::now() > end) return;
-      Program changed = planted(map_.program(), mutant.fault);
-      changed.number();
-      const bool isNoticed = std::ranges::any_of(
-          result_.table.tests, [&](const TestCase& test) { return noticedAt(changed, test).has_value(); });
-      for (std::size_t i = 0; !isNoticed && i < candidates.size() && BenchSearch::Clock::now() < end; ++i) {
-        const std::optional<std::size_t> step = noticedAt(changed, candidates[i]);
-        if (!step) continue;
-        TestCase test = candidates[i];
-        test.rows.resize(*step + 1);
-        add(std::move(test));
-        break;
+    for (const BenchTest& steps : limitSweeps()) offer(steps, Looks::Middle);
+    std::uint64_t seed = options_.seed;
+    const Clock::time_point begin = Clock::now();
+    const Clock::time_point endOfWalks =
+        begin + std::chrono::duration_cast<Clock::duration>(walkShare * std::max(end - begin, Clock::duration{}));
+    for (std::size_t round = 0; round < walkRounds && Clock::now() < endOfWalks; ++round) {
+      for (const Pace pace : {Pace::Quick, Pace::Mixed, Pace::Settled}) {
+        for (const Looks looks : {Looks::Middle, Looks::Often}) {
+          for (const BenchTest& steps : walks(search_, ++seed, walkCount, walkLength, pace)) {
+            if (Clock::now() < endOfWalks) offer(steps, looks);
+          }
+        }
       }
     }
-  }
-
-  TestPlayOptions atShown() const {
-    return at([us = options_.shownUs](std::uint64_t) { return us; });
-  }
-  TestPlayOptions at(ScanLength length, std::vector<int> skews = {}) const {
-    TestPlayOptions play;
-    play.engine = options_.engine;
-    play.length = std::move(length);
-    play.skews = std::move(skews);
-    play.stopsAtFailure = false;
-    return play;
-  }
-
-  /// Lengths of scans at which everything is checked: both ends, fractions of a millisecond, which clocks of IEC
-  /// 61131-3 do not count, and, as long as there is time, others between.
-  static constexpr std::size_t alwaysChecked = 4;
-  std::vector<std::uint32_t> lengths() const {
-    std::vector<std::uint32_t> all{options_.lowUs, options_.highUs};
-    for (const std::uint32_t us : {1999U, 10000U, 37000U, 2377U, 5682U, 64000U, 20000U, 3999U, 12500U, 50000U, 99000U,
-                                   2000U, 33333U, 7000U, 75000U, 3000U, 13000U, 5000U, 90000U}) {
-      if (us > options_.lowUs && us < options_.highUs) all.push_back(us);
+    followDifferences(faults, offer, isOver);
+    for (TestCase& test : faults.takeRobust()) result_.table.tests.push_back(std::move(test));
+    const std::string scans = fmt::format("{:g} ms", static_cast<double>(options_.shownUs) / 1000);
+    std::size_t steps = 0;
+    for (const TestCase& test : result_.table.tests) steps += test.rows.size();
+    for (TestCase& test : faults.takeTimed(steps, timingShare, scans)) {
+      ++result_.timingRows;
+      result_.table.tests.push_back(std::move(test));
     }
-    if (options_.lowUs == options_.highUs) all.pop_back();
-    return all;
   }
 
-  using FailingCells = std::vector<std::set<std::size_t>>;  ///< outputs by row
-
-  /// What is expected and does not come in some run of the test.
-  FailingCells failingCells(const TestCase& test, std::mt19937_64& random, BenchSearch::Clock::time_point end) {
-    FailingCells failing(test.rows.size());
-    const auto playWith = [&](ScanLength length, std::vector<int> skews) {
-      Simulator simulator(map_.program(), options_.engine);
-      ++result_.plays;
-      for (const TestFailure& failure :
-           playTest(simulator, result_.table, test, at(std::move(length), std::move(skews))).failures) {
-        if (failure.signal) failing[failure.step].insert(*failure.signal);
-      }
-    };
-    const std::size_t count = test.rows.size();
-    const auto alternating = [&](int first) {
-      std::vector<int> skews;
-      for (std::size_t i = 0; i < count; ++i) skews.push_back(i % 2 == 0 ? first : -first);
-      return skews;
-    };
-    const auto drawn = [&] {
-      std::vector<int> skews;
-      for (std::size_t i = 0; i < count; ++i) skews.push_back(static_cast<int>(random() % 5) - mostSkew);
-      return skews;
-    };
-    std::size_t checked = 0;
-    for (const std::uint32_t us : lengths()) {
-      if (++checked > alwaysChecked && BenchSearch::Clock::now() > end) break;
-      const ScanLength length = [us](std::uint64_t) { return us; };
-      playWith(length, {});
-      playWith(length, std::vector<int>(count, -mostSkew));
-      playWith(length, std::vector<int>(count, mostSkew));
-      playWith(length, alternating(mostSkew));
-      playWith(length, alternating(-mostSkew));
-      playWith(length, drawn());
-    }
-    for (std::size_t i = 0; i < randomPlays; ++i)
-      playWith(drawnScanLengths(options_.lowUs, options_.highUs, 1, random()), drawn());
-    return failing;
-  }
-
-  static bool onlyWaits(const TestRow& row) {
-    return row.wait.isTime() && std::ranges::none_of(row.sets, [](const auto& cell) { return cell.has_value(); });
-  }
-
-  /// A look before the end of a wait that does not hold everywhere is given up. Whether there was one.
-  static bool giveUpEarlyLooks(TestCase& test, const FailingCells& failing) {
-    std::vector<TestRow> kept;
-    TestWait before{1, 0};  // of looks that were given up
-    for (std::size_t i = 0; i < test.rows.size(); ++i) {
-      TestRow& row = test.rows[i];
-      const bool isEarly = i + 1 < test.rows.size() && onlyWaits(row) && onlyWaits(test.rows[i + 1]);
-      const bool fails = !failing[i].empty() || (i + 1 < failing.size() && !failing[i + 1].empty());
-      if (isEarly && fails && !before.isTime()) {
-        before = row.wait;
-        before.timeUs -= marginUs / 2;
+  /// What the prover finds out about faults that no walk has shown: nothing changes, or a run on which something does.
+  template <class Offer, class IsOver>
+  void followDifferences(FaultTests& faults, const Offer& offer, const IsOver& isOver) {
+    ProverOptions prover = options_.prover;
+    prover.timeout = patience;
+    for (std::size_t i = 0; i < faults.open().size() && !isOver();) {
+      const FaultTests::OpenFault* const fault = faults.open()[i].get();
+      const Equivalence found = compareWithFault(map_.program(), fault->program, set_, prover);
+      if (found.equality == Equality::Equal) {
+        faults.remove(i);
         continue;
       }
-      if (before.isTime()) row.wait.timeUs += before.timeUs;
-      before = {1, 0};
-      kept.push_back(std::move(row));
+      if (found.run) {
+        for (const std::uint64_t scans : {1U, 6U}) {
+          for (const bool risesFirst : {true, false}) {
+            BenchTest steps = stepsOf(found.run->before, risesFirst, scans);
+            steps.push_back({{}, {1, 0}});
+            steps.push_back({{}, {sweepScans, 0}});
+            for (BenchStep& step : steps) {
+              if (step.wait.scans == 0 && !step.wait.isTime()) step.wait = {1, found.run->milliseconds * 1000};
+            }
+            offer(steps, Looks::Often);
+          }
+        }
+      }
+      if (i < faults.open().size() && faults.open()[i].get() == fault) ++i;
     }
-    const bool hasGivenUp = kept.size() < test.rows.size();
-    test.rows = std::move(kept);
-    return hasGivenUp;
   }
 
   /// How much a test covers alone.
   std::size_t coveredBy(const TestCase& test) const {
     CoverageRecorder recorder(map_);
-    Simulator simulator(map_.program(), options_.engine);
-    TestPlayOptions play = atShown();
-    play.observer = &recorder;
-    play.beforeScan = [&](std::uint64_t) { recorder.beginScan(); };
-    playTest(simulator, result_.table, test, play);
+    playObserved(test, recorder);
     return recorder.news();
   }
 
-  void check() {
-    std::mt19937_64 random(options_.seed);
-    const double share =
-        options_.seconds * checkShare / static_cast<double>(std::max<std::size_t>(result_.table.tests.size(), 1));
+  /// A first look at a test of coverage: values that do not come everywhere are not expected.
+  void giveUpWhatVaries(TestCase& test) {
+    RobustCells cells = check_.quick(test);
+    TestCase simpler = test;
+    if (BenchRows::giveUpEarlyLooks(simpler, cells.failing) && coveredBy(simpler) >= coveredBy(test)) {
+      test = std::move(simpler);
+      rows_.expectValues(test);
+      cells = check_.quick(test);
+    }
+    giveUp(test, cells);
+  }
+
+  /// Takes out what does not come everywhere; cells of steps that say `timing` stay.
+  void giveUp(TestCase& test, const RobustCells& cells) const {
+    for (std::size_t row = 0; row < test.rows.size(); ++row) {
+      if (isTimed(test.rows[row])) continue;
+      for (const std::size_t output : cells.failing[row]) test.rows[row].expects[output].reset();
+    }
+  }
+  static bool isTimed(const TestRow& row) { return row.note.starts_with("timing"); }
+
+  /// The whole check of every test in the time that is left; then steps say what is not compared.
+  void checkAll() {
+    const Clock::time_point end =
+        begin_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.seconds));
+    std::size_t left = result_.table.tests.size();
     for (TestCase& test : result_.table.tests) {
-      const auto end = BenchSearch::Clock::now() +
-                       std::chrono::duration_cast<BenchSearch::Clock::duration>(std::chrono::duration<double>(share));
-      FailingCells failing = failingCells(test, random, end);
-      TestCase simpler = test;
-      if (giveUpEarlyLooks(simpler, failing) && coveredBy(simpler) >= coveredBy(test)) {
-        test = std::move(simpler);
-        expectValues(test);
-        failing = failingCells(test, random, end);
-      }
+      const Clock::time_point now = Clock::now();
+      const Clock::time_point mine = now + std::max(end - now, Clock::duration{}) / static_cast<int>(left--);
+      const RobustCells cells = check_.full(test, mine);
+      giveUp(test, cells);
       for (std::size_t row = 0; row < test.rows.size(); ++row) {
-        if (failing[row].empty()) continue;
-        std::string names;
-        for (const std::size_t output : failing[row]) {
-          test.rows[row].expects[output].reset();
-          names += (names.empty() ? "" : ", ") + signals_.outputs[output].name;
+        std::vector<std::string> names;
+        std::size_t expected = 0;
+        for (std::size_t i = 0; i < signals_.outputs.size(); ++i) {
+          if (test.rows[row].expects[i])
+            ++expected;
+          else
+            names.push_back(signals_.outputs[i].name);
         }
-        test.rows[row].note = fmt::format("timing: {} depends on the length of scans and is not compared", names);
-        ++result_.timingRows;
+        const std::size_t ofTime = isTimed(test.rows[row]) ? cells.failing[row].size() : 0;
+        result_.timedCells += ofTime;
+        (cells.isProved ? result_.provedCells : result_.checkedCells) += expected - ofTime;
+        if (names.empty() || isTimed(test.rows[row])) continue;
+        test.rows[row].note =
+            fmt::format("{} not compared: when it changes depends on the length of scans", fmt::join(names, ", "));
+        ++result_.silentRows;
       }
     }
+  }
+
+  Clock::time_point in(double share) const {
+    return Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                              std::chrono::duration<double>(std::max(options_.seconds * share, 0.0)));
   }
 
   const CoverageMap& map_;
   const PropertySet& set_;
   const GeneratorOptions options_;
+  const Clock::time_point begin_ = Clock::now();
   const TestSignals signals_;
+  const BenchRows rows_;
+  RobustCheck check_;
   BenchSearch search_;
   CoverageRecorder seen_;  ///< by the tests written
   std::set<CoverageGoal> asked_;

@@ -3,11 +3,8 @@
 // between and at changing ones, with inputs early and late. What does not hold everywhere is not expected, and the step
 // says so.
 //
-// Why that covers all scan times and skews: a program sees the length of scans only through timers, clocks and what is
-// computed from them, and inputs that are early or late only through the scans for which they act. Steps wait until the
-// contacts are at rest, and for as many scans longer as skews may take away; from then on only time can change
-// anything. What time changes it changes once, later or earlier, between its times at the ends of the ranges.
-// Covered by tests/tables/generate_command_test.cpp.
+// What that proves stands in robust_check.hpp. Then planted faults are looked for that no test notices
+// (fault_tests.hpp). Covered by tests/tables/generate_command_test.cpp.
 #pragma once
 
 #include <map>
@@ -32,7 +29,11 @@ struct GeneratedTests {
   TestTable table;
   std::map<CoverageGoal, GoalAnswer> answers;  ///< of goals that no test covers, or that the prover had to find
   std::size_t plays = 0;                       ///< of all tests, to check what they expect
-  std::size_t timingRows = 0;
+  /// Expected values that were proved for every whole millisecond and all skews, that were tried only, and that come
+  /// with the shown scans alone.
+  std::size_t provedCells = 0, checkedCells = 0, timedCells = 0;
+  std::size_t timingRows = 0;  ///< steps that say `timing`
+  std::size_t silentRows = 0;  ///< steps at which some output is not compared, as it depends on the length of scans
 };
 
 /// `map` and what it stands on must outlive the call. Goals of the property set are not asked; its assumptions hold.

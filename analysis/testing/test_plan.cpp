@@ -88,12 +88,13 @@ class Planner {
 
 std::vector<BenchTest> plannedTests(const BenchSearch& search) { return Planner(search).run(); }
 
-std::vector<BenchTest> walks(const BenchSearch& search, std::uint64_t seed, std::size_t count, std::size_t length) {
+std::vector<BenchTest> walks(const BenchSearch& search, std::uint64_t seed, std::size_t count, std::size_t length,
+                             Pace pace) {
   std::vector<std::vector<std::size_t>> leaving(search.nodes().size());
   for (std::size_t i = 0; i < search.edges().size(); ++i) {
     const BenchSearch::Edge& edge = search.edges()[i];
-    if (!edge.isFragile && edge.to != 0 && (edge.step.wait.isTime() || edge.step.wait.scans > 1))
-      leaving[edge.from].push_back(i);
+    const bool isSettled = !edge.isFragile && (edge.step.wait.isTime() || edge.step.wait.scans > 1);
+    if (edge.to != 0 && (isSettled || pace != Pace::Settled)) leaving[edge.from].push_back(i);
   }
   std::mt19937_64 random(seed);
   std::vector<std::size_t> uses(search.edges().size(), 0);
@@ -109,6 +110,8 @@ std::vector<BenchTest> walks(const BenchSearch& search, std::uint64_t seed, std:
       }
       ++uses[edge];
       test.push_back(search.edges()[edge].step);
+      const bool isQuick = pace == Pace::Quick || (pace == Pace::Mixed && random() % 2 == 0);
+      if (isQuick && !test.back().wait.isTime()) test.back().wait = {1, 0};
       at = search.edges()[edge].to;
     }
     if (test.empty()) break;

@@ -10,6 +10,7 @@
 #include "ir/iec/variables.hpp"
 #include "ir/overlap.hpp"
 #include "ir/s7200/plan.hpp"
+#include "ir/written_operand.hpp"
 
 namespace rungproof {
 
@@ -70,20 +71,6 @@ std::vector<double> valuesFor(const Program& program, const TraceSignal& signal)
   return values;
 }
 
-/// Whether some instruction of the program's own text writes the operand.
-bool isDriven(const Program& program, const Operand& operand) {
-  for (const Pou& pou : program.pous) {
-    for (const Network& network : pou.networks) {
-      for (const Instruction& i : network.instructions) {
-        for (std::size_t k = 0; k < i.operands.size() && k < i.desc->operandCount; ++k) {
-          if (i.desc->operands[k].direction != Direction::In && overlaps(i.operands[k], operand)) return true;
-        }
-      }
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 TestSignals testSignalsOf(const Program& program, const PropertySet& set) {
@@ -96,7 +83,7 @@ TestSignals testSignalsOf(const Program& program, const PropertySet& set) {
     const bool isExternal =
         std::ranges::any_of(set.externals, [&](const ExternalRange& r) { return isWithin(operand, r); });
     const bool isTerminal = operand.area == Area::I || operand.area == Area::AI || operand.area == Area::PI;
-    if (isExternal || (isTerminal && !isDriven(program, operand))) {
+    if (isExternal || (isTerminal && !isWritten(program, operand, Actuals::Read))) {
       const bool isKnown = std::ranges::any_of(
           result.inputs, [&](const TestInput& input) { return overlaps(input.signal.operand, operand); });
       if (!isKnown) result.inputs.push_back({signal, valuesFor(program, signal)});
@@ -104,7 +91,7 @@ TestSignals testSignalsOf(const Program& program, const PropertySet& set) {
     }
     const bool isOutput = isOfIec ? given.contains(operand)
                                   : operand.area == Area::Q || operand.area == Area::AQ || operand.area == Area::PQ;
-    if (isOutput && isDriven(program, operand)) result.outputs.push_back(signal);
+    if (isOutput && isWritten(program, operand, Actuals::Written)) result.outputs.push_back(signal);
     const bool isMemory = operand.area != Area::T && operand.area != Area::SM && operand.area != Area::HC &&
                           operand.area != Area::AC && signal.type != SignalType::Real;
     if (isMemory) result.memory.push_back(signal);
@@ -113,7 +100,7 @@ TestSignals testSignalsOf(const Program& program, const PropertySet& set) {
   for (const bool isBit : {true, false}) {
     if (!result.outputs.empty()) break;
     for (const TraceSignal& signal : result.memory) {
-      if ((signal.type == SignalType::Bool) == isBit && isDriven(program, signal.operand))
+      if ((signal.type == SignalType::Bool) == isBit && isWritten(program, signal.operand, Actuals::Written))
         result.outputs.push_back(signal);
     }
   }
@@ -150,7 +137,8 @@ bool dependsOnTime(const Program& program) {
 
 bool hasEventsOrDevices(const Program& program) {
   const Plan plan(program);
-  if (!plan.timedEvents.empty()) return true;
+  // An S7-200 has the timed events 10 and 11 always; they come only once ATCH has attached them.
+  if (isStep7(program.target) && !plan.timedEvents.empty()) return true;
   for (const Pou& pou : program.pous) {
     if (pou.kind == PouKind::Interrupt) return true;
     for (const Network& network : pou.networks) {

@@ -29,9 +29,6 @@ std::vector<StepTimes> stepTimesOf(const TestCase& test, const ScanLength& lengt
   return times;
 }
 
-namespace {
-
-/// Sets what a row sets.
 void applyRow(Simulator& simulator, const TestTable& table, const TestRow& row) {
   for (std::size_t i = 0; i < table.sets.size(); ++i) {
     if (!row.sets[i]) continue;
@@ -39,8 +36,6 @@ void applyRow(Simulator& simulator, const TestTable& table, const TestRow& row) 
     actOn(simulator, column, valueOf(*row.sets[i], column.signal.type, column.signal.width()));
   }
 }
-
-}  // namespace
 
 TestPlay playTest(Simulator& simulator, const TestTable& table, const TestCase& test, const TestPlayOptions& options) {
   TestPlay play;

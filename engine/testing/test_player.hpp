@@ -46,6 +46,9 @@ struct TestPlay {
   std::uint64_t timeUs = 0;
 };
 
+/// Sets what a row sets, in front of the scan in which it acts.
+void applyRow(Simulator& simulator, const TestTable& table, const TestRow& row);
+
 /// `simulator`: powered up, not yet run.
 TestPlay playTest(Simulator& simulator, const TestTable& table, const TestCase& test, const TestPlayOptions& options);
 

@@ -63,6 +63,23 @@ constexpr std::array simParameters = {
     ToolParameter{"signals", ParameterKind::Text, ParameterUse::Option, "--signals",
                   "what to trace, with commas; all that the program touches"},
 };
+constexpr std::array testParameters = {
+    programText,
+    programPath,
+    symbolText,
+    cpuOption,
+    scanTimeOption,
+    ToolParameter{
+        "table", ParameterKind::Text, ParameterUse::HeldFile, "--table=table.test.csv",
+        "CSV with the columns test, step, wait ('1 scan', '500ms'), 'set ADDRESS', 'expect ADDRESS'; a new name "
+        "in 'test' begins with power-on; a row sets, waits and compares"},
+    ToolParameter{"coverage", ParameterKind::Truth, ParameterUse::Option, "--coverage",
+                  "also measure networks, contacts, transitions and MC/DC pairs"},
+    ToolParameter{"kill", ParameterKind::Truth, ParameterUse::Option, "--kill",
+                  "also plant faults and say which of them the tests notice; slower"},
+    ToolParameter{"show", ParameterKind::Text, ParameterUse::Option, "--show",
+                  "draw the networks behind a failing value", "ladder|fbd|stl"},
+};
 constexpr std::array showParameters = {
     programText,
     programPath,
@@ -79,7 +96,7 @@ constexpr std::array xrefParameters = {programText, programPath, symbolText, cpu
                                        ToolParameter{"address", ParameterKind::Text, ParameterUse::Argument, "",
                                                      "an address or a symbol; without it everything is listed"}};
 
-constexpr std::array<Tool, 7> tools = {{
+constexpr std::array<Tool, 8> tools = {{
     {"lint", "Check a PLC program", "Findings of the static rules in an S7-200 program, with place, reason and help.",
      "human", "json", lintParameters},
     {"check", "Would the editor take it?",
@@ -91,6 +108,11 @@ constexpr std::array<Tool, 7> tools = {{
      "human", "json", proveParameters},
     {"sim", "Run a program", "Runs the program on the reference engine and gives the trace; compares it if wanted.",
      "human", "json", simParameters},
+    {"test", "Run a test table",
+     "Runs a table of test steps on the reference engine: what failed where, what the tests cover, which planted "
+     "faults "
+     "they notice.",
+     "human", "json", testParameters},
     {"show", "Draw networks", "Draws networks as ladder, function block diagram or statement list, as text.", "text",
      "", showParameters},
     {"explain", "Explain a term", "The page of a rule, an instruction, an address, a verdict or a method.", "text",

@@ -16,6 +16,7 @@
 #include "frontend/sides/sides.hpp"
 #include "frontend/simulation/trace_file.hpp"
 #include "frontend/simulation/witness_report.hpp"
+#include "frontend/testing/table_reader.hpp"
 
 namespace rungproof {
 
@@ -27,7 +28,7 @@ struct Arguments {
   std::string interrupts = "between";
   std::uint32_t latency = 0;
   std::string settle;
-  std::string trace;
+  std::string trace, table;
   std::string certificates;
   std::string show = "ladder";
 };
@@ -173,6 +174,10 @@ Exit run(const Arguments& arguments, Context& context) {
       isFailed = true;
     if (!arguments.trace.empty()) report.comparison->trace = arguments.trace;
   }
+  if (found.run && !arguments.table.empty()) {
+    const TestTable table = DifferenceReport(sides, options, *found.run).table();
+    if (!context.write({"csv", arguments.table}, testTableText(table))) isFailed = true;
+  }
   if (options.prover.certificates && !writeCertificates(context, arguments.certificates, sides, found)) isFailed = true;
   if (!found.certificates.empty()) report.comparison->certificate = arguments.certificates;
   const Exit exit = finish(context, std::move(report));
@@ -189,6 +194,8 @@ Action setup(ArgumentTable& table) {
   table.option("--settle", arguments->settle, "TIME", "outputs may differ for less than that without a break");
   table.number("--latency", arguments->latency, "N", "NEW's outputs come N scans later", 0, 1000);
   table.option("--trace", arguments->trace, "FILE", "write the run that differs: inputs and the outputs of both");
+  table.option("--table", arguments->table, "FILE",
+               "write that run as a test table: its inputs, and the outputs of OLD, which NEW does not pass");
   table.option("--certificate", arguments->certificates, "DIR",
                "write the proofs of EQUAL as SMT-LIB 2, for another solver to check");
   table.word("--show", arguments->show, {"ladder", "lad", "fbd", "stl", "none"}, "ladder|fbd|stl|none",

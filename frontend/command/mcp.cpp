@@ -33,11 +33,9 @@ extern constexpr Command mcpCommand = {
     .summary = "serve an assistant over standard input and output (Model Context Protocol)",
     .details =
         "Reads and writes messages of the Model Context Protocol, one a line, on standard input and output. Tools:\n"
-        "lint, check, prove, sim, show, explain and xref, as the commands of these names; the program is given as "
-        "text\n"
-        "or as a path below --root. An answer has the text of the command and its JSON report. Options given here "
-        "count\n"
-        "for every call; files that they name must lie below --root too.\n"
+        "lint, check, prove, sim, test, show, explain and xref, as the commands of these names; the program is given\n"
+        "as text or as a path below --root. An answer has the text of the command and its JSON report. Options given\n"
+        "here count for every call; files that they name must lie below --root too.\n"
         "\n"
         "Example, in the settings of an assistant:\n"
         "    { \"mcpServers\": { \"rungproof\": { \"command\": \"rungproof\", \"args\": [\"mcp\", \"--timeout\", "

@@ -24,6 +24,8 @@
 #include "frontend/simulation/given_columns.hpp"
 #include "frontend/simulation/witness_drawing.hpp"
 #include "frontend/simulation/witness_report.hpp"
+#include "frontend/testing/table_reader.hpp"
+#include "frontend/testing/witness_table.hpp"
 #include "frontend/text/excerpt.hpp"
 #include "frontend/trace_format.hpp"
 #include "frontend/watch.hpp"
@@ -41,7 +43,7 @@ struct Arguments {
   bool watch = false;
   bool selfCheck = false;
   std::string certificates;
-  std::string traces;
+  std::string traces, tables;
   std::string show;
   std::string shard;
 };
@@ -129,7 +131,8 @@ bool wantsPage(const Context& context) {
 }
 
 PropertyResult rowOf(const Context& context, const Arguments& arguments, EvidenceNames& names, const Program& program,
-                     const Choices& choices, const std::vector<std::string>& assumptions, const ProofResult& result) {
+                     const PropertySet& set, const Choices& choices, const std::vector<std::string>& assumptions,
+                     const ProofResult& result) {
   const std::string stem = names.of(result.property.name);
   PropertyResult row;
   row.name = result.property.name;
@@ -161,6 +164,12 @@ PropertyResult rowOf(const Context& context, const Arguments& arguments, Evidenc
     if (!arguments.show.empty() || hasPage) row.scans = drawnScans(arguments, program, choices, result, hasPage);
     if (!arguments.traces.empty())
       row.trace = writeTraces(context, arguments.traces, stem, program, choices, result, row.notes);
+    if (!arguments.tables.empty()) {
+      const Property* const broken = result.outcome == Outcome::Violated ? &result.property : nullptr;
+      const TestTable table = witnessTable(program, set, choices, *result.witness, result.property.name, broken);
+      const std::string name = fileIn(arguments.tables, stem + ".test.csv");
+      if (context.write({"csv", name}, testTableText(table))) row.notes.push_back("test table: " + name);
+    }
   }
   row.networks = networkList(result.networks);
   if (!result.certificate.empty()) {
@@ -236,7 +245,8 @@ void proveInto(Report& part, const Context& context, const Settings& settings, c
   if (proof.isInterrupted) context.err << "rungproof: interrupted; what was not settled is UNKNOWN\n";
   std::vector<const ProofResult*> builtin;
   for (const ProofResult& result : proof.results) {
-    part.properties.push_back(rowOf(context, arguments, names, program, options.choices, proof.assumptions, result));
+    part.properties.push_back(
+        rowOf(context, arguments, names, program, properties, options.choices, proof.assumptions, result));
     part.properties.back().assumptions = result.assumptions;
     if (result.builtin) builtin.push_back(&result);
   }
@@ -379,7 +389,7 @@ bool mayBeKept(const Arguments& arguments, const Context& context) {
   const auto isInput = [](const std::string& name) { return name == "-"; };
   const bool hasInput =
       std::ranges::any_of(arguments.files, isInput) || std::ranges::any_of(arguments.properties, isInput);
-  const bool writesFiles = !arguments.certificates.empty() || !arguments.traces.empty() ||
+  const bool writesFiles = !arguments.certificates.empty() || !arguments.traces.empty() || !arguments.tables.empty() ||
                            std::ranges::any_of(context.outputs, [](const OutputRequest& o) { return !o.file.empty(); });
   return !hasInput && !writesFiles;
 }
@@ -406,6 +416,8 @@ Action setup(ArgumentTable& table) {
   table.flag("--as-downloaded", arguments->asDownloaded, asDownloadedHelp);
   table.option("--certificate", arguments->certificates, "DIR",
                "write the proof of each PROVED as SMT-LIB 2, for another solver to check");
+  table.option("--tables", arguments->tables, "DIR",
+               "write each witness as a test table: what was mended stays mended");
   table.option("--traces", arguments->traces, "DIR", "write each witness as CSV (also a stimulus), VCD and SVG");
   table.word("--show", arguments->show, {"ladder", "lad", "fbd", "stl"}, "ladder|fbd|stl",
              "draw the networks that matter, with the power flow of the last 3 scans of each witness");

@@ -196,10 +196,8 @@ class TestRun {
     kill.play.engine = options.engine;
     kill.play.length = scanLengthsOf(options.scanTime, options.engine.seed);
     kill.prover = proverOptionsOf(context_.settings, {&program});
-    PropertySet surroundings = set;
-    std::erase_if(surroundings.properties, [](const Property& p) { return p.isGoal(); });
     std::vector<PlantedFault> faults;
-    for (const KillResult& result : killMutants(program, surroundings, tables_, kill)) {
+    for (const KillResult& result : killMutants(program, set, tables_, kill)) {
       const Fault& fault = result.mutant.fault;
       const Pou& pou = program.pous[fault.pou];
       const Network& network = pou.networks[fault.network];
@@ -242,7 +240,8 @@ Action setup(ArgumentTable& table) {
   table.word("--show", arguments->show, {"ladder", "fbd", "stl"}, "ladder|fbd|stl",
              "draw the networks behind a failing value, with the power flow of its scan");
   table.option("--generate", arguments->generate, "DIR",
-               "write tests that cover the program into this folder: tests.csv, sheet.html, sheet.md, coverage.json");
+               "write tests that cover the program into this folder: tests.csv, sheet.html and .md, "
+               "coverage.html and .json");
   table.word("--goal", arguments->goal, {"networks", "contacts", "transitions", "mcdc", "all"},
              "networks|contacts|transitions|mcdc|all", "what generated tests are to cover [default: all]");
   table.flag("--together", arguments->together, "a generated step may change several inputs");
@@ -267,9 +266,11 @@ extern constexpr Command testCommand = {
         "A row sets the given inputs, lets the wait pass and compares at its end. Cells of 'expect' are a value,\n"
         "a range such as 100..200, or empty or x for any value; empty cells of 'set' keep the value.\n"
         "\n"
-        "Generated tests change one input a step. Every value that they expect was checked for scans of --scan-time\n"
-        "(1ms..100ms) and with inputs up to two scans early or late; what depends on the length of scans is not\n"
-        "compared, and the step says 'timing' in the column note. What cannot be covered is listed with its proof.\n"
+        "Generated tests change one input a step. Every value that they expect comes with scans of --scan-time\n"
+        "(1ms..100ms) and with inputs up to two scans early or late; the sheet says how many values are proved and\n"
+        "how many were tried only. What depends on the length of scans is not compared, or the step says 'timing' in "
+        "the\n"
+        "column note and with which scans the value comes. What cannot be covered is listed with its proof.\n"
         "\n"
         "Examples:\n"
         "    rungproof test press.awl --table press.test.csv\n"

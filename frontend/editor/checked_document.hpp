@@ -11,6 +11,7 @@
 //   completion       what may stand there
 //   code_action      mending and silencing what is wrong
 //   proof            "prove this property"
+//   coverage_hints   what the tests beside it cover
 // A part is a function of a CheckedDocument and a place, and knows nothing of messages; editor_server.cpp does.
 // Tested by tests/editor.
 #pragma once

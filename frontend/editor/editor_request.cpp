@@ -7,6 +7,7 @@
 
 #include "frontend/editor/code_action.hpp"
 #include "frontend/editor/completion.hpp"
+#include "frontend/editor/coverage_hints.hpp"
 #include "frontend/editor/cursor.hpp"
 #include "frontend/editor/editor_server.hpp"
 #include "frontend/editor/formatting.hpp"
@@ -125,7 +126,14 @@ EditorServer::Answer EditorServer::inlayHint(const RpcMessage& message) {
   Open* const open = openOf(message.params);
   if (open == nullptr) return notOpen();
   const auto range = rangeFrom(message.params);
-  return range ? Answer(inlayHintsIn(checked(*open), range->first, range->second)) : Answer(noPlace());
+  if (!range) return noPlace();
+  Json hints = inlayHintsIn(checked(*open), range->first, range->second);
+  const Json covered = coverageHints(checked(*open), open->document.path);
+  for (const Json& hint : covered.items()) {
+    const auto place = placeFrom(hint.find("position"));
+    if (place && range->first <= *place && *place <= range->second) hints.push_back(hint);
+  }
+  return hints;
 }
 
 /// Of the whole document, or of the lines of a range.

@@ -177,6 +177,14 @@ Raised drawingOf(const Network& network, const ViewOptions& options, const Targe
   return raised;
 }
 
+void markSeen(Picture& picture, const Drawing& drawing, const Network& network, const ViewOptions& options) {
+  for (PictureSymbol& symbol : picture.symbols) {
+    if (symbol.element < 0 || (symbol.kind != SymbolKind::Contact && symbol.kind != SymbolKind::Bracket)) continue;
+    const std::uint32_t instruction = drawing.elements[static_cast<std::size_t>(symbol.element)].instruction;
+    if (instruction < network.instructions.size()) symbol.seen = options.seen(network.instructions[instruction]);
+  }
+}
+
 }  // namespace
 
 NetworkView networkView(const Program& program, const Pou& pou, const Network& network, const ViewOptions& options) {
@@ -225,6 +233,7 @@ NetworkView networkView(const Program& program, const Pou& pou, const Network& n
         view.reason = placed.reason;
         if (placed.reason.empty()) {
           view.picture = wrapped(placed.picture, options.width);
+          if (options.seen) markSeen(view.picture, *raised.drawing, network, options);
           return view;
         }
       }

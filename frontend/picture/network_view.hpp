@@ -2,7 +2,10 @@
 // picture in the wanted form is shown as STL with the reason. Tested by tests/show/scan_test.cpp.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/instruction_recorder.hpp"
@@ -23,6 +26,8 @@ struct ViewOptions {
   std::vector<const Finding*> findings{};         ///< of the whole program by place; those in the network are taken
   const InstructionRecorder* recorder = nullptr;  ///< a scan to light, or nullptr
   step7::MnemonicSet mnemonics = step7::MnemonicSet::International;  ///< of statements of the S7-300/400
+  /// Of a contact: PictureSymbol::seen; may be missing.
+  std::function<std::optional<std::pair<bool, bool>>(const Instruction&)> seen{};
 };
 
 struct ViewNote {

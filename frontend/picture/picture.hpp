@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rungproof {
@@ -28,6 +30,8 @@ struct PictureSymbol {
   int height = 1;
   std::string sign;              ///< "/", "P", ">=I", "S"; a blank for the plain ones
   Flow3 state = Flow3::Unknown;  ///< contact: closed; coil: energised; box: its first power input
+  /// Contact: whether tests have seen its bit as 1 and as 0; nothing: they are not asked.
+  std::optional<std::pair<bool, bool>> seen{};
 };
 
 enum class LabelRole : std::uint8_t { Symbol, Address, Constant, BoxName, PinName, Note, Mark, Connector };

@@ -60,6 +60,7 @@ class SvgDrawer {
 
   void symbol(const PictureSymbol& s) {
     const int left = cx(s.x), right = cx(s.x + s.width - 1), y = cy(s.y);
+    if (s.seen) seenHalves(left, right, y, *s.seen);
     const std::string_view state = suffix(s.state);
     switch (s.kind) {
       case SymbolKind::Box:
@@ -67,8 +68,8 @@ class SvgDrawer {
             (s.height - 1) * svgRowHeight);
         return;
       case SymbolKind::Contact:
-        add("<path class=\"rf{}\" d=\"M{} {}H{}V{}H{}Z\"/><path class=\"rs\" d=\"M{} {}v14M{} {}v14\"/>", state, left,
-            y - 7, right, y + 7, left, left, y - 7, right, y - 7);
+        if (!s.seen) add("<path class=\"rf{}\" d=\"M{} {}H{}V{}H{}Z\"/>", state, left, y - 7, right, y + 7, left);
+        add("<path class=\"rs\" d=\"M{} {}v14M{} {}v14\"/>", left, y - 7, right, y - 7);
         break;
       case SymbolKind::Coil:
         add("<path class=\"rf{}\" d=\"M{} {}Q{} {} {} {}H{}Q{} {} {} {}Z\"/>", state, left + 3, y - 7, left - 3, y,
@@ -77,7 +78,7 @@ class SvgDrawer {
             y + 7, right - 3, y - 7, right + 3, y, right - 3, y + 7);
         break;
       case SymbolKind::Bracket:
-        add("<path class=\"rf{}\" d=\"M{} {}H{}V{}H{}Z\"/>", state, left, y - 8, right, y + 8, left);
+        if (!s.seen) add("<path class=\"rf{}\" d=\"M{} {}H{}V{}H{}Z\"/>", state, left, y - 8, right, y + 8, left);
         add("<path class=\"rs\" d=\"M{} {}h-4v16h4M{} {}h4v16h-4\"/>", left + 4, y - 8, right - 4, y - 8);
         break;
     }
@@ -86,6 +87,15 @@ class SvgDrawer {
     } else if (s.sign != " ") {
       add("<text class=\"rt m\" x=\"{}\" y=\"{}\">{}</text>", (left + right) / 2, y + 4, xmlText(s.sign));
     }
+  }
+
+  /// The left half tells whether the bit was 1, the right one whether it was 0.
+  void seenHalves(int left, int right, int y, std::pair<bool, bool> seen) {
+    const int middle = (left + right) / 2;
+    add("<path class=\"rv{}\" d=\"M{} {}H{}V{}H{}Z\"><title>{}</title></path>", seen.first ? "" : " no", left, y - 7,
+        middle, y + 7, left, seen.first ? "was 1" : "was never 1");
+    add("<path class=\"rv{}\" d=\"M{} {}H{}V{}H{}Z\"><title>{}</title></path>", seen.second ? "" : " no", middle, y - 7,
+        right, y + 7, middle, seen.second ? "was 0" : "was never 0");
   }
 
   void label(const PictureLabel& l) {
@@ -135,6 +145,7 @@ std::string_view svgStyle() {
          "Mono\",monospace;fill:#1f2933;white-space:pre}.rt.m{text-anchor:middle}.rt.e{text-anchor:end}"
          ".rt.y{fill:#0a4f8f}.rt.n{font-weight:bold}.rt.p{fill:#4b5865}.rt.c{fill:#4b5865;font-weight:bold}.rt.k{fill:#"
          "fff;font-weight:bold}"
+         ".rv{fill:#bfe3c4}.rv.no{fill:#f3b8b0}"
          ".rm.s2{fill:#c62828}.rm.s1{fill:#a35a00}.rm.s0{fill:#1565c0}"
          ".rh{font:bold 15px \"DejaVu Sans\",\"Segoe UI\",Arial,sans-serif;fill:#1f2933}.rk{font:13px \"DejaVu "
          "Sans\",\"Segoe UI\",Arial,sans-serif;fill:#3e6b3e}"

@@ -9,6 +9,7 @@
 #include "frontend/simulation/given_columns.hpp"
 #include "frontend/simulation/witness_drawing.hpp"
 #include "frontend/simulation/witness_report.hpp"
+#include "frontend/testing/witness_table.hpp"
 #include "ir/iec/variables.hpp"
 
 namespace rungproof {
@@ -149,6 +150,11 @@ Trace DifferenceReport::trace() const {
   for (const TraceSignal& signal : columns.after) right.columns.emplace_back(index++, signal);
   addGivenOfTwo(left, right, trace);
   return trace;
+}
+
+TestTable DifferenceReport::table() const {
+  return witnessTable(*sides_.runBefore, sides_.before.properties, options_.prover.choices, witnessOf(run_, true),
+                      run_.signal + " differs", nullptr);
 }
 
 /// "I0.2 becomes 1 in scan 3": the last change of an input before the difference.

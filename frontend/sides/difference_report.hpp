@@ -5,6 +5,7 @@
 #include <string>
 
 #include "analysis/equivalence/equivalence.hpp"
+#include "engine/testing/test_table.hpp"
 #include "engine/trace.hpp"
 #include "frontend/report.hpp"
 #include "frontend/sides/sides.hpp"
@@ -20,6 +21,8 @@ class DifferenceReport {
   void describe(Comparison& comparison, const std::string& form) const;
   /// Inputs and outputs of the run. What only one program has, or has otherwise, stands under "old.Q0.0", "new.Q0.0".
   Trace trace() const;
+  /// The run as a test that OLD passes and NEW does not.
+  TestTable table() const;
 
  private:
   /// Columns of both runs: those that are alike in both, then OLD's, then NEW's.

@@ -14,30 +14,14 @@
 #include "frontend/stl/missing_address.hpp"
 #include "frontend/stl/operand_reader.hpp"
 #include "ir/iec/cpu.hpp"
-#include "ir/overlap.hpp"
 #include "ir/s7200/call_contract.hpp"
 #include "ir/s7200/call_parameters.hpp"
 #include "ir/s7200/special_memory.hpp"
+#include "ir/written_operand.hpp"
 
 namespace rungproof {
 
 namespace {
-
-/// Whether some instruction writes the operand by its direct address.
-bool isWritten(const Program& program, const Operand& operand) {
-  for (const Pou& pou : program.pous) {
-    for (const Network& network : pou.networks) {
-      for (const Instruction& instruction : network.instructions) {
-        for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
-          const bool writes =
-              i >= instruction.desc->operandCount || instruction.desc->operands[i].direction != Direction::In;
-          if (writes && overlaps(instruction.operands[i], operand)) return true;
-        }
-      }
-    }
-  }
-  return false;
-}
 
 /// What a column of a recorded trace may set.
 bool isSurrounding(const Program& program, const Operand& operand) {
@@ -48,10 +32,11 @@ bool isSurrounding(const Program& program, const Operand& operand) {
     case Area::V:
     case Area::M:
     case Area::DB:
-    case Area::S: return !isWritten(program, operand);
+    case Area::S: return !isWritten(program, operand, Actuals::Written);
     case Area::SM: {
       const SmSource source = smSource(program.target, operand.offset, operand.width == Width::Bit ? operand.bit : 0);
-      return (source == SmSource::Free || source == SmSource::FirstScan) && !isWritten(program, operand);
+      return (source == SmSource::Free || source == SmSource::FirstScan) &&
+             !isWritten(program, operand, Actuals::Written);
     }
     default: return false;
   }

@@ -22,6 +22,8 @@ std::string colored(std::string_view text, bool isSeen) {
 
 }  // namespace
 
+std::string networkAnchor(CoveragePlace place) { return fmt::format("n{}-{}", place.pou, place.network); }
+
 std::string coverageDrawings(const CoverageRecorder& recorder) {
   const CoverageMap& map = recorder.map();
   struct Lines {
@@ -52,16 +54,22 @@ std::string coverageDrawings(const CoverageRecorder& recorder) {
   }
   std::string text = fmt::format(
       "<h2>Networks</h2>\n<p>{} seen, {} not seen. A contact has one colour for its bit as "
-      "1 and one as 0; a condition of a coil or box is seen when it alone decided the "
+      "1 (in a drawing its left half) and one as 0; a condition of a coil or box is seen when it alone decided the "
       "outcome, as 1 and as 0.</p>\n",
       colored(" ", true), colored(" ", false));
   for (const auto& [place, lines] : networks) {
     const Pou& pou = map.program().pous[place.first];
     const Network& network = pou.networks[place.second];
-    const NetworkView view = networkView(map.program(), pou, network, {});
+    ViewOptions options;
+    options.seen = [&](const Instruction& instruction) -> std::optional<std::pair<bool, bool>> {
+      const int leaf = map.leafOf(instruction.id);
+      if (leaf < 0 || map.leaves()[static_cast<std::size_t>(leaf)].kind != LeafKind::Contact) return std::nullopt;
+      const auto number = static_cast<std::size_t>(leaf);
+      return std::pair(recorder.contactSeen(number, true), recorder.contactSeen(number, false));
+    };
+    const NetworkView view = networkView(map.program(), pou, network, options);
     text += fmt::format("<div class=\"drawn\" id=\"{}\"><h3>{}, {} {}</h3>{}<ul>{}{}</ul></div>\n",
-                        xmlText(fmt::format("n{}-{}", place.first, network.number)), xmlText(pou.name),
-                        xmlText(view.heading),
+                        xmlText(networkAnchor({place.first, place.second})), xmlText(pou.name), xmlText(view.heading),
                         colored(lines.isReached ? "power reached it" : "no power reached it", lines.isReached),
                         pictureSvg(view), lines.contacts, lines.outputs);
   }

@@ -8,7 +8,8 @@
 
 namespace rungproof {
 
-/// HTML elements.
+/// HTML elements; each network has its anchor.
 std::string coverageDrawings(const CoverageRecorder& recorder);
+std::string networkAnchor(CoveragePlace place);
 
 }  // namespace rungproof

@@ -11,9 +11,11 @@
 #include "analysis/witness/state_pool.hpp"
 #include "frontend/explain/certificate_head.hpp"
 #include "frontend/simulation/scan_lengths.hpp"
+#include "frontend/testing/coverage_page.hpp"
 #include "frontend/testing/table_reader.hpp"
 #include "frontend/testing/table_run.hpp"
 #include "frontend/testing/test_output.hpp"
+#include "frontend/testing/test_purpose.hpp"
 
 namespace rungproof {
 
@@ -101,6 +103,9 @@ void describeTests(TestSheet& sheet, CoverageRecorder& all, const PropertySet& s
   for (const Property& property : set.properties) {
     if (property.isGoal()) sheet.requirements.push_back({property.name, property.text, {}});
   }
+  sheet.purposes = purposesOf(sheet.table);
+  for (const CoveragePlace& place : map.networks())
+    sheet.links[map.placeText(place)] = "coverage.html#" + networkAnchor(place);
   for (const TestCase& test : sheet.table.tests) {
     CoverageRecorder recorder(map);
     std::vector<std::unique_ptr<Exercise>> exercises;
@@ -120,7 +125,6 @@ void describeTests(TestSheet& sheet, CoverageRecorder& all, const PropertySet& s
       for (const std::unique_ptr<Exercise>& one : exercises) one->scan(now.store(), scan, now.scanCount() == 1);
     };
     playTest(simulator, sheet.table, test, play);
-    sheet.purposes.push_back(purposeOf(sheet.table, test));
     std::vector<std::string>& networks = sheet.networks.emplace_back();
     for (std::size_t i = 0; i < map.networks().size(); ++i) {
       if (recorder.networkReached(i)) networks.push_back(map.placeText(map.networks()[i]));
@@ -130,6 +134,34 @@ void describeTests(TestSheet& sheet, CoverageRecorder& all, const PropertySet& s
     }
     all.add(recorder);
   }
+}
+
+/// What the expected values rest on.
+std::vector<std::string> basisOf(const GeneratedTests& made, const GeneratorOptions& options) {
+  const double low = static_cast<double>(options.lowUs) / 1000, high = static_cast<double>(options.highUs) / 1000;
+  std::vector<std::string> lines;
+  if (made.provedCells > 0)
+    lines.push_back(fmt::format(
+        "{} values to be seen are proved for scans of every whole number of milliseconds from {:g} to {:g} ms, all "
+        "equally long, with inputs up to two scans early or late: every such run was made.",
+        made.provedCells, low, high));
+  if (made.checkedCells > 0)
+    lines.push_back(fmt::format("{} values to be seen are not proved: not every such run was made, or could be.",
+                                made.checkedCells));
+  lines.push_back(fmt::format(
+      "All were tried with scans of fractions of a millisecond and of changing lengths too, {} runs in all.",
+      made.plays));
+  if (made.silentRows > 0)
+    lines.push_back(
+        fmt::format("{} steps name outputs that are not compared, as the length of scans decides when they "
+                    "change.",
+                    made.silentRows));
+  if (made.timingRows > 0)
+    lines.push_back(fmt::format(
+        "Steps with the remark 'timing': {}. What they name depends on the length of scans; {} such values are to be "
+        "seen with the scans that the remark names.",
+        made.timingRows, made.timedCells));
+  return lines;
 }
 
 bool writeEach(const Context& context, const std::string& directory, const std::vector<FileToWrite>& files,
@@ -182,22 +214,20 @@ bool generateInto(TestReport& report, TestTable& table, const Context& context, 
   }
   report.asked = request.measures;
   sheet.coverage = *report.coverage;
-  sheet.basis.push_back(
-      fmt::format("Every value to be seen was checked in {} runs: scans of {:g} ms to {:g} ms, equally long and "
-                  "changing, inputs up "
-                  "to two scans early or late. Steps with the remark 'timing': {}.",
-                  made.plays, static_cast<double>(options.lowUs) / 1000, static_cast<double>(options.highUs) / 1000,
-                  made.timingRows));
+  sheet.basis = basisOf(made, options);
   made.table.file = (std::filesystem::path(request.directory) / "tests.csv").string();
 
   Json coverage = {{"instructions", request.read.instructions},
                    {"understood", request.read.understood},
                    {"approximated", request.read.approximated}};
   addMeasures(coverage, *report.coverage);
-  std::vector<FileToWrite> files{{"tests.csv", "csv", testTableText(made.table)},
-                                 {"sheet.html", "html", sheetHtml(sheet)},
-                                 {"sheet.md", "markdown", sheetMarkdown(sheet)},
-                                 {"coverage.json", "json", coverage.dump(2) + "\n"}};
+  std::vector<FileToWrite> files{
+      {"tests.csv", "csv", testTableText(made.table)},
+      {"sheet.html", "html", sheetHtml(sheet)},
+      {"sheet.md", "markdown", sheetMarkdown(sheet)},
+      {"sheet/sheet.csv", "csv", sheetCsv(sheet)},
+      {"coverage.html", "html", coveragePage(*report.coverage, coverageDrawings(all), request.title)},
+      {"coverage.json", "json", coverage.dump(2) + "\n"}};
   files.insert(files.end(), proofs.begin(), proofs.end());
   table = std::move(made.table);
   return writeEach(context, request.directory, files, report.written);

@@ -4,8 +4,29 @@
 #include <algorithm>
 
 #include "analysis/testing/test_signals.hpp"
+#include "ir/written_operand.hpp"
 
 namespace rungproof {
+
+namespace {
+
+constexpr std::uint64_t usualUs = 10000;
+
+/// Scans; a time where they are not of the usual length, so that timers come as far in other scans.
+TestWait waitOf(const Trace& trace, std::size_t begin, std::size_t end) {
+  const bool isLast = end == trace.rows.size();
+  const std::uint64_t scans = (isLast ? trace.rows.back().scan + 1 : trace.rows[end].scan) - trace.rows[begin].scan;
+  std::uint64_t us = 0;
+  bool isKnown = true;
+  for (std::size_t i = begin; i < end; ++i) {
+    us += trace.rows[i].scanUs;
+    isKnown = isKnown && trace.rows[i].scanUs != 0;
+  }
+  if (scans > 1 && isKnown && us != scans * usualUs) return {1, us};
+  return {scans, 0};
+}
+
+}  // namespace
 
 TestTable recordedTable(const Program& program, const PropertySet& set, const Trace& trace, const std::string& name) {
   const TestSignals signals = testSignalsOf(program, set);
@@ -13,8 +34,12 @@ TestTable recordedTable(const Program& program, const PropertySet& set, const Tr
   std::vector<std::size_t> inputs, outputs;  // columns of the trace
   for (std::size_t i = 0; i < trace.signals.size(); ++i) {
     const std::string address = toString(trace.signals[i].operand);
-    for (const TestInput& input : signals.inputs) {
-      if (toString(input.signal.operand) != address) continue;
+    const bool isInput = std::ranges::any_of(
+        signals.inputs, [&](const TestInput& input) { return toString(input.signal.operand) == address; });
+    // A terminal that this program does not read; another version may.
+    const Area area = trace.signals[i].operand.area;
+    const bool isTerminal = area == Area::I || area == Area::AI || area == Area::PI;
+    if (isInput || (isTerminal && !isWritten(program, trace.signals[i].operand, Actuals::Read))) {
       inputs.push_back(i);
       table.sets.push_back({StimulusTarget::Memory, trace.signals[i]});
     }
@@ -44,7 +69,7 @@ TestTable recordedTable(const Program& program, const PropertySet& set, const Tr
     if (trace.isByTime && !isLast)
       row.wait = {1, trace.rows[end].timeUs - trace.rows[begin].timeUs};
     else if (!trace.isByTime)
-      row.wait.scans = (isLast ? trace.rows.back().scan + 1 : trace.rows[end].scan) - trace.rows[begin].scan;
+      row.wait = waitOf(trace, begin, end);
     test.rows.push_back(std::move(row));
     begin = end;
   }

@@ -194,11 +194,46 @@ void addMeasures(Json& json, const CoverageResult& coverage) {
   json["mcdc"]["masking"] = coverage.masking;
 }
 
-void writeTestPage(const Report& report, const TestReport& tests, std::ostream& out) {
-  out << fmt::format(
+namespace {
+
+std::string pageHead(std::string_view title) {
+  return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-      "content=\"width=device-width\"><title>Tests</title>\n<style>{}{}</style></head><body>\n<h1>Tests</h1>\n",
-      pageStyle(), svgStyle());
+      "content=\"width=device-width\"><title>{0}</title>\n<style>{1}{2}</style></head><body>\n<h1>{0}</h1>\n",
+      xmlText(title), pageStyle(), svgStyle());
+}
+
+std::string coverageSection(const CoverageResult& coverage, const std::string& drawings) {
+  std::string text =
+      "<h2>Coverage</h2>\n<table><thead><tr><th>Measure</th><th>Covered</th><th>Of</th><th>Impossible</th>"
+      "<th>Open</th></tr></thead><tbody>\n";
+  for (const auto& [which, measure] : coverage.measures)
+    text += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", measureText(which),
+                        measure.covered, measure.total, measure.unreachable, measure.open);
+  text += "</tbody></table>\n";
+  for (const auto& [which, measure] : coverage.measures) {
+    if (measure.missing.empty()) continue;
+    text += fmt::format("<h3>Not covered: {}</h3>\n<ul>\n", measureText(which));
+    for (const MissingGoal& goal : measure.missing) {
+      const std::string proof =
+          goal.certificate.empty() ? "" : fmt::format(" <a href=\"{0}\">{0}</a>", xmlText(goal.certificate));
+      text += fmt::format("<li><b>{}</b> {}: {}{}</li>\n", stateName(goal.state), xmlText(goal.text),
+                          xmlText(goal.reason), proof);
+    }
+    text += "</ul>\n";
+  }
+  return text + drawings;
+}
+
+}  // namespace
+
+std::string coveragePage(const CoverageResult& coverage, const std::string& drawings, std::string_view title) {
+  return pageHead(fmt::format("Coverage of the tests: {}", title)) + coverageSection(coverage, drawings) +
+         "</body></html>\n";
+}
+
+void writeTestPage(const Report& report, const TestReport& tests, std::ostream& out) {
+  out << pageHead("Tests");
   out << fmt::format("<p>{} tests, <b class=\"{}\">{} failed</b>. rungproof {}.</p>\n", tests.tests.size(),
                      tests.failed() > 0 ? "bad" : "good", tests.failed(), xmlText(programVersion()));
   out << "<table><thead><tr><th>Test</th><th>Table</th><th>Steps</th><th>Result</th></tr></thead><tbody>\n";
@@ -228,23 +263,7 @@ void writeTestPage(const Report& report, const TestReport& tests, std::ostream& 
         out << fmt::format("<div class=\"drawn\"><h3>{}</h3>{}</div>\n", xmlText(network.heading), network.svg);
     }
   }
-  if (tests.coverage) {
-    out << "<h2>Coverage</h2>\n<table><thead><tr><th>Measure</th><th>Covered</th><th>Of</th><th>Impossible</th>"
-           "<th>Open</th></tr></thead><tbody>\n";
-    for (const auto& [which, measure] : tests.coverage->measures)
-      out << fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", measureText(which),
-                         measure.covered, measure.total, measure.unreachable, measure.open);
-    out << "</tbody></table>\n";
-    for (const auto& [which, measure] : tests.coverage->measures) {
-      if (measure.missing.empty()) continue;
-      out << fmt::format("<h3>Not covered: {}</h3>\n<ul>\n", measureText(which));
-      for (const MissingGoal& goal : measure.missing)
-        out << fmt::format("<li><b>{}</b> {}: {}</li>\n", stateName(goal.state), xmlText(goal.text),
-                           xmlText(goal.reason));
-      out << "</ul>\n";
-    }
-    out << tests.drawings;
-  }
+  if (tests.coverage) out << coverageSection(*tests.coverage, tests.drawings);
   for (const std::string& line : report.assumptions) out << fmt::format("<p>{}</p>\n", xmlText(line));
   out << "</body></html>\n";
 }

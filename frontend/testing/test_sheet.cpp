@@ -92,7 +92,7 @@ table { border-collapse: collapse; width: 100%; margin: .4em 0; } th, td { borde
 th { background: #eceff3; font-weight: 600; } tr { break-inside: avoid; } thead { display: table-header-group; }
 td.n, td.w { white-space: nowrap; text-align: right; } td.box { width: 9mm; text-align: center; font-size: 14pt; line-height: 1; } td.remark { width: 30mm; font-size: 8.5pt; }
 .signature { display: flex; gap: 8mm; margin: .5em 0 1em; break-inside: avoid; } .signature span { flex: 1; border-bottom: 1px solid #333; padding-top: 6mm; font-size: 8.5pt; color: #444; }
-.missing { color: #a00; }
+.missing { color: #a00; } a { color: inherit; }
 )";
 
 std::string figuresText(Measure which, const MeasureResult& measure) {
@@ -104,35 +104,20 @@ std::string figuresText(Measure which, const MeasureResult& measure) {
 
 }  // namespace
 
-std::string purposeOf(const TestTable& table, const TestCase& test) {
-  std::vector<std::string> on, off, never;
-  const std::vector<Sight> sights = sightsOf(table, test);
-  for (std::size_t i = 0; i < table.expects.size(); ++i) {
-    bool comes = false, goes = false;
-    std::optional<double> last = 0;
-    for (const TestRow& row : test.rows) {
-      if (!row.expects[i]) continue;
-      comes = comes || (last && row.expects[i]->low > *last);
-      goes = goes || (last && row.expects[i]->low < *last);
-      last = row.expects[i]->low;
-    }
-    const std::string name = signalText(table.expects[i]);
-    if (comes && goes)
-      on.push_back(name);
-    else if (comes)
-      off.push_back(name);
-    else
-      never.push_back(name);
+namespace {
+
+std::string linkedNetworks(const TestSheet& sheet, const std::vector<std::string>& names) {
+  std::vector<std::string> shown;
+  for (const std::string& name : names) {
+    const auto link = sheet.links.find(name);
+    shown.push_back(link == sheet.links.end()
+                        ? xmlText(name)
+                        : fmt::format("<a href=\"{}\">{}</a>", xmlText(link->second), xmlText(name)));
   }
-  std::string text;
-  const auto add = [&](const std::vector<std::string>& names, std::string_view what) {
-    if (!names.empty()) text += fmt::format("{}{} {}", text.empty() ? "" : "; ", fmt::join(names, ", "), what);
-  };
-  add(on, on.size() == 1 ? "comes and goes" : "come and go");
-  add(off, off.size() == 1 ? "comes" : "come");
-  add(never, never.size() == 1 ? "stays off" : "stay off");
-  return text;
+  return fmt::format("{}", fmt::join(shown, ", "));
 }
+
+}  // namespace
 
 std::string sheetHtml(const TestSheet& sheet) {
   std::string text = fmt::format(
@@ -152,8 +137,7 @@ std::string sheetHtml(const TestSheet& sheet) {
     if (const std::string required = requirementsOf(sheet, test.name); !required.empty())
       text += fmt::format("<p class=\"small\">Requirements: {}</p>\n", xmlText(required));
     if (!sheet.networks[i].empty())
-      text += fmt::format("<p class=\"small\">Networks: {}</p>\n",
-                          xmlText(fmt::format("{}", fmt::join(sheet.networks[i], ", "))));
+      text += fmt::format("<p class=\"small\">Networks: {}</p>\n", linkedNetworks(sheet, sheet.networks[i]));
     text +=
         "<table><thead><tr><th>Step</th><th>Action</th><th>Wait</th><th>Must be seen</th><th>OK</th><th>Remark</th>"
         "</tr></thead><tbody>\n";
@@ -237,6 +221,24 @@ std::string sheetMarkdown(const TestSheet& sheet) {
     for (const MissingGoal& goal : measure.missing)
       text += fmt::format("- not covered, {}: {}: {}\n", measureText(which), markdownCell(goal.text),
                           markdownCell(goal.reason));
+  }
+  return text;
+}
+
+std::string sheetCsv(const TestSheet& sheet) {
+  std::string text = "test,purpose,requirements,networks,step,action,wait,must be seen,ok,remark\n";
+  for (std::size_t i = 0; i < sheet.table.tests.size(); ++i) {
+    const TestCase& test = sheet.table.tests[i];
+    std::size_t number = 0;
+    for (const SheetRow& row : sheetRowsOf(sheet.table, test)) {
+      const std::string step = std::to_string(++number);
+      const std::string networks = fmt::format("{}", fmt::join(sheet.networks[i], " "));
+      std::string line;
+      for (const std::string& cell : {test.name, sheet.purposes[i], requirementsOf(sheet, test.name), networks, step,
+                                      row.action, row.wait, row.seen, std::string(), row.remark})
+        line += (line.empty() ? "" : ",") + csvCell(cell);
+      text += line + "\n";
+    }
   }
   return text;
 }

@@ -1,8 +1,10 @@
 // The sheet that is signed at the machine: for each test its purpose, its steps with what is to be done, how long to
 // wait and what must be seen, with a box to tick; requirements with the tests that exercise them; the hash of the
-// program and the tool. As an HTML page for A4 and as Markdown. Tested by tests/tables/generate_command_test.cpp.
+// program and the tool. As an HTML page for A4, as
+// Markdown and as CSV. Tested by tests/tables/generate_command_test.cpp.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,14 +28,14 @@ struct TestSheet {
   TestTable table;
   std::vector<std::string> purposes;               ///< by test
   std::vector<std::vector<std::string>> networks;  ///< by test: "MAIN:4"
+  std::map<std::string, std::string> links;        ///< of networks, into the coverage page
   std::vector<SheetRequirement> requirements;
   CoverageResult coverage;
 };
 
-/// What a test shows, in words: which outputs come and go, and by what.
-std::string purposeOf(const TestTable& table, const TestCase& test);
-
 std::string sheetHtml(const TestSheet& sheet);
 std::string sheetMarkdown(const TestSheet& sheet);
+/// One line a step, for a spreadsheet.
+std::string sheetCsv(const TestSheet& sheet);
 
 }  // namespace rungproof

@@ -171,5 +171,16 @@ TEST(Tool, OthersGoOnWhileOneWorks) {
   EXPECT_EQ(session.end(), 0);
 }
 
+TEST(Tool, TestRunsATable) {
+  AssistantSession session;
+  const std::string table = "test,set I0.0,set I0.1,expect Q0.0,expect Q0.1\nlock,1,0,1,0\nlock,,1,1,0\n";
+  const Json passed = session.call("test", {{"program", locked}, {"table", table}, {"coverage", true}});
+  EXPECT_EQ(numberAt(passed, "structuredContent/exit_code"), "0") << passed.dump(1);
+  EXPECT_EQ(numberAt(passed, "structuredContent/coverage/networks/covered"), "1");  // Q0.1 was never reached
+  const Json failed = session.call("test", {{"program", locked}, {"table", "test,set I0.0,expect Q0.0\nt,1,0\n"}});
+  EXPECT_EQ(numberAt(failed, "structuredContent/exit_code"), "1");
+  EXPECT_TRUE(contains(toolText(failed), "Q0.0 expected 0, actual 1")) << toolText(failed);
+}
+
 }  // namespace
 }  // namespace rungproof::test

@@ -33,7 +33,8 @@ TEST_F(Generate, CoversALatchWithATimer) {
   EXPECT_EQ(report["coverage"]["contacts"]["covered"], 5);
   EXPECT_EQ(report["coverage"]["mcdc"]["covered"], 5);  // three of Q0.0, one of T37, one of Q0.1
   for (const nlohmann::json& one : report["tests"]) EXPECT_EQ(one["passed"], true) << one.dump();
-  for (const char* name : {"out/tests.csv", "out/sheet.html", "out/sheet.md", "out/coverage.json"})
+  for (const char* name : {"out/tests.csv", "out/sheet.html", "out/sheet.md", "out/sheet/sheet.csv",
+                           "out/coverage.html", "out/coverage.json"})
     EXPECT_FALSE(content(name).empty()) << name;
   const nlohmann::json coverage = nlohmann::json::parse(content("out/coverage.json"));
   EXPECT_EQ(coverage["mcdc"]["covered"], report["coverage"]["mcdc"]["covered"]);
@@ -97,10 +98,12 @@ void replayAnywhere(const std::string& program, const std::string& text, unsigne
       TestPlayOptions play;
       play.length = [us](std::uint64_t) { return us; };
       for (std::size_t i = 0; i < test.rows.size(); ++i) play.skews.push_back(static_cast<int>(random() % 5) - 2);
+      play.stopsAtFailure = false;
       Simulator simulator(read, play.engine);
       const TestPlay played = playTest(simulator, table, test, play);
       for (const TestFailure& failure : played.failures)
-        ADD_FAILURE() << test.name << " step " << failure.step + 1 << " at " << us << " us";
+        if (!test.rows[failure.step].note.starts_with("timing"))
+          ADD_FAILURE() << test.name << " step " << failure.step + 1 << " at " << us << " us";
     }
   }
 }
@@ -194,6 +197,30 @@ TEST_F(Generate, NumbersAreTriedAtTheirLimits) {
     EXPECT_EQ(kills["unnoticed"], 0) << body << kills.dump(1);
     EXPECT_GE(kills["noticed"].get<int>(), 4) << body << kills.dump(1);
   }
+}
+
+// The guard is a make contact in series with the start; what moves the motor stands in the purpose with its symbol.
+TEST_F(Generate, SaysWhatATestIsForAndLeadsToTheNetworks) {
+  const std::string program = write("guard.awl", "Network 1\nLD I0.0\nO Q0.0\nA I0.1\n= Q0.0\n");
+  generate(program, 0, {"--symbols", write("s.csv", "Start,I0.0,\nGuard,I0.1,\nMotor,Q0.0,\n")});
+  const std::string sheet = content("out/sheet.md");
+  EXPECT_NE(sheet.find("Purpose: Motor (Q0.0) comes when "), std::string::npos) << sheet;
+  EXPECT_NE(sheet.find("values to be seen are proved"), std::string::npos) << sheet;
+  EXPECT_EQ(sheet.find("not proved"), std::string::npos) << sheet;
+  EXPECT_NE(content("out/sheet.html").find("<a href=\"coverage.html#n0-0\">MAIN:1</a>"), std::string::npos);
+  EXPECT_NE(content("out/coverage.html").find("id=\"n0-0\""), std::string::npos);
+}
+
+// A subroutine drives the output that it is given: it is compared, and the input given stays an input.
+TEST_F(Generate, ActualParametersAreInputsAndOutputs) {
+  const std::string program = write("sub.awl",
+                                    "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR_0, I0.0, Q0.0\n"
+                                    "END_ORGANIZATION_BLOCK\nSUBROUTINE_BLOCK SBR_0:SBR0\nVAR_INPUT\nin:BOOL;\n"
+                                    "END_VAR\nVAR_OUTPUT\nout:BOOL;\nEND_VAR\nBEGIN\nNetwork 1\nLD L0.0\n= L0.1\n"
+                                    "END_SUBROUTINE_BLOCK\n");
+  generate(program, 0);
+  EXPECT_TRUE(content("out/tests.csv").starts_with("test,step,wait,set I0.0,expect Q0.0,note\n"))
+      << content("out/tests.csv");
 }
 
 TEST_F(Generate, WritesNothingWhereItCannot) {

@@ -1,0 +1,96 @@
+// The enumeration of skews against plays of all of them, and what it says of windows of time.
+#include "analysis/testing/robust_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include "analysis/testing/bench_rows.hpp"
+#include "frontend/input/project.hpp"
+#include "test_command.hpp"
+
+namespace rungproof {
+namespace {
+
+/// Rows of a table whose columns are the inputs and outputs of the program; a row is input, value, wait.
+struct Step {
+  std::size_t input;
+  double value;
+  TestWait wait;
+};
+
+class Checked {
+ public:
+  explicit Checked(const std::string& text)
+      : program(readText("p.awl", text)), signals(testSignalsOf(program, {})), rows(program, signals, {}, 10000) {}
+
+  TestCase test(const std::vector<Step>& steps) const {
+    BenchTest bench;
+    for (const Step& step : steps) bench.push_back({{{step.input, step.value}}, step.wait});
+    TestCase test = rows.caseOf(bench);
+    rows.expectValues(test);
+    return test;
+  }
+  /// What fails in some play with scans of that length, over all skews.
+  std::vector<std::set<std::size_t>> failingInPlays(const TestCase& test, std::uint32_t us) const {
+    std::vector<std::set<std::size_t>> failing(test.rows.size());
+    std::size_t all = 1;
+    for (std::size_t i = 0; i < test.rows.size(); ++i) all *= 5;
+    for (std::size_t code = 0; code < all; ++code) {
+      TestPlayOptions play;
+      play.length = [us](std::uint64_t) { return us; };
+      play.stopsAtFailure = false;
+      for (std::size_t i = 0, rest = code; i < test.rows.size(); ++i, rest /= 5)
+        play.skews.push_back(static_cast<int>(rest % 5) - 2);
+      Simulator simulator(program);
+      for (const TestFailure& failure : playTest(simulator, rows.columns(), test, play).failures)
+        if (failure.signal) failing[failure.step].insert(*failure.signal);
+    }
+    return failing;
+  }
+
+  Program program;
+  TestSignals signals;
+  BenchRows rows;
+};
+
+// A latch that holds, an output that comes 300 ms later, and a pulse of one scan: rows of one scan and of six, whose
+// inputs may meet, pass what they set to one another in all ways that skews allow.
+TEST(RobustCheck, EnumeratesWhatPlaysShow) {
+  const Checked of(std::string(test::motorProgram) + "Network 4\nLD I0.0\nEU\n= Q0.2\n");
+  const std::vector<std::vector<Step>> tests = {{{0, 1, {1, 0}}, {0, 0, {1, 0}}, {1, 1, {1, 0}}},
+                                                {{0, 1, {6, 0}}, {0, 0, {1, 400000}}, {1, 1, {6, 0}}},
+                                                {{0, 1, {2, 0}}, {1, 1, {1, 0}}, {1, 0, {3, 0}}, {0, 0, {2, 0}}},
+                                                {{0, 1, {1, 300000}}, {0, 0, {1, 100000}}, {1, 1, {1, 0}}}};
+  for (const std::vector<Step>& steps : tests) {
+    const TestCase test = of.test(steps);
+    for (const std::uint32_t us : {1000U, 10000U, 37000U, 100000U}) {
+      RobustCheck check(of.program, of.rows.columns(), {{}, us, us, 1});
+      const RobustCells cells = check.full(test, RobustCheck::Clock::now() + std::chrono::seconds(10));
+      EXPECT_TRUE(cells.isProved);
+      EXPECT_EQ(cells.failing, of.failingInPlays(test, us)) << us << " us, " << steps.size() << " steps";
+    }
+  }
+}
+
+// After the start the motor runs whatever the skews; 300 ms later the lamp: 600 ms are enough at 1 to 20 ms and with
+// two scans of skew at either end. 301 ms are 31 scans of 10 ms, the last of which begins at 300 ms and sees the third
+// tick of T37, and 16 scans of 19 ms, the last of which begins at 285 ms and does not.
+TEST(RobustCheck, KnowsWindowsOfTime) {
+  const Checked of(test::motorProgram);
+  RobustCheck check(of.program, of.rows.columns(), {{}, 1000, 20000, 1});
+  const auto end = RobustCheck::Clock::now() + std::chrono::seconds(10);
+  const RobustCells late = check.full(of.test({{0, 1, {1, 600000}}}), end);
+  EXPECT_TRUE(late.isProved);
+  EXPECT_TRUE(late.failing[0].empty());
+  const RobustCells early = check.full(of.test({{0, 1, {1, 301000}}}), end);
+  EXPECT_EQ(early.failing[0], (std::set<std::size_t>{1}));
+}
+
+// Without time nothing is proved.
+TEST(RobustCheck, SaysWhatItHasNotProved) {
+  const Checked of(test::motorProgram);
+  RobustCheck check(of.program, of.rows.columns(), {{}, 1000, 100000, 1});
+  EXPECT_FALSE(check.full(of.test({{0, 1, {6, 0}}}), RobustCheck::Clock::now()).isProved);
+}
+
+}  // namespace
+}  // namespace rungproof
