@@ -27,7 +27,10 @@ BenchRows::BenchRows(const Program& program, const TestSignals& signals, const S
   columns_.expects = signals.outputs;
 }
 
-std::string BenchRows::stepText(const TraceSignal& signal, double from, double to) {
+std::string BenchRows::stepText(const TraceSignal& signal, double from, double to, bool isAtPowerOn) {
+  if (isAtPowerOn)
+    return fmt::format("power on with {} {}", signalText(signal),
+                       signal.type == SignalType::Bool ? "on" : "at " + numberText(to, signal.type));
   if (signal.type != SignalType::Bool)
     return fmt::format("set {} to {}", signalText(signal), numberText(to, signal.type));
   return (to > from ? "switch on " : "switch off ") + signalText(signal);
@@ -43,7 +46,8 @@ TestCase BenchRows::caseOf(const BenchTest& steps, Looks looks) const {
     row.expects.resize(signals_.outputs.size());
     for (const auto& [input, value] : step.changes) {
       row.sets[input] = value;
-      row.step += (row.step.empty() ? "" : ", ") + stepText(signals_.inputs[input].signal, values[input], value);
+      row.step += (row.step.empty() ? "" : ", ") +
+                  stepText(signals_.inputs[input].signal, values[input], value, test.rows.empty());
       values[input] = value;
     }
     if (row.step.empty()) row.step = test.rows.empty() ? "power on, all inputs off" : "wait";

@@ -23,9 +23,10 @@ constexpr double exploreShare = 0.1, faultShare = 0.4, walkShare = 0.6;
 constexpr std::uint64_t longStretchMs = 700;  ///< of a run of the prover, which a bench waits for
 constexpr std::uint64_t sweepScans = 2 * RobustCheck::mostSkew + 2;  ///< contacts come to rest whatever the skews
 constexpr std::size_t walkRounds = 8, walkCount = 15,
-                      walkLength = 25;  ///< of each kind, on which planted faults may show
-constexpr double patience = 0.4;        ///< for the comparison with one planted fault
-constexpr double timingShare = 0.05;    ///< of the steps
+                      walkLength = 25;   ///< of each kind, on which planted faults may show
+constexpr std::size_t longestRun = 200;  ///< of the prover, that is repeated as it was
+constexpr double patience = 0.4;         ///< for the comparison with one planted fault
+constexpr double timingShare = 0.05;     ///< of the steps
 
 class Generator {
   using Clock = RobustCheck::Clock;
@@ -173,7 +174,8 @@ class Generator {
   /// Runs of the prover that no bench with long scans repeats are tried with the shown ones, as they are.
   void repeatRuns() {
     for (const auto& [goal, answer] : result_.answers) {
-      if (answer.outcome != Outcome::Reachable || !answer.witness) continue;
+      if (answer.outcome != Outcome::Reachable || !answer.witness || answer.witness->scans.size() > longestRun)
+        continue;
       const auto isStillOpen = [&] {
         const std::vector<CoverageGoal> open = openGoals(seen_, options_.measures);
         return std::ranges::find(open, goal) != open.end();
@@ -196,7 +198,7 @@ class Generator {
     std::vector<ReplayScan> soFar;
     std::size_t known = 0;
     for (const ReplayScan& scan : run) {
-      soFar.push_back({.inputs = scan.inputs});
+      soFar.emplace_back().inputs = scan.inputs;
       const BenchTest changes = stepsOf(soFar, true, 1);
       const std::size_t count = changes.front().changes.empty() ? 0 : changes.size();
       if (count > known) {

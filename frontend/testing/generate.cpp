@@ -206,6 +206,12 @@ bool generateInto(TestReport& report, TestTable& table, const Context& context, 
   sheet.title = request.title;
   sheet.hash = request.hash;
   sheet.table = made.table;
+  const auto addSignal = [&](const TraceSignal& signal) {
+    const Symbol* const symbol = map.program().symbolOf(signal.operand);
+    sheet.signals.push_back({signal.symbol, signal.name, symbol == nullptr ? "" : symbol->comment});
+  };
+  for (const StimulusColumn& column : made.table.sets) addSignal(column.signal);
+  for (const TraceSignal& signal : made.table.expects) addSignal(signal);
   CoverageRecorder all(map);
   describeTests(sheet, all, set, request);
   report.coverage = coverageOf(all);

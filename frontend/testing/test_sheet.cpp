@@ -47,9 +47,12 @@ std::vector<Sight> sightsOf(const TestTable& table, const TestCase& test) {
   return sights;
 }
 
-std::string sightText(const Sight& sight) {
-  if (sight.changed.empty()) return sight.same > 0 ? "nothing changes" : "";
-  return fmt::format("{}{}", fmt::join(sight.changed, "; "), sight.same > 0 ? "; all else as before" : "");
+std::string sightText(const Sight& sight, bool isFirst) {
+  if (sight.changed.empty()) return sight.same == 0 ? "" : isFirst ? "all outputs off" : "nothing changes";
+  return fmt::format("{}{}", fmt::join(sight.changed, "; "),
+                     sight.same == 0 ? ""
+                     : isFirst       ? "; all else off"
+                                     : "; all else as before");
 }
 
 /// A wait at the machine: scans are too short to be counted by hand, and none is longer than 100 ms.
@@ -69,7 +72,7 @@ std::vector<SheetRow> sheetRowsOf(const TestTable& table, const TestCase& test) 
   const std::vector<Sight> sights = sightsOf(table, test);
   for (std::size_t i = 0; i < test.rows.size(); ++i) {
     const TestRow& row = test.rows[i];
-    rows.push_back({row.step, waitForPeople(row.wait), sightText(sights[i]), row.note});
+    rows.push_back({row.step, waitForPeople(row.wait), sightText(sights[i], i == 0), row.note});
   }
   return rows;
 }
@@ -130,6 +133,11 @@ std::string sheetHtml(const TestSheet& sheet) {
   text +=
       "<p>Each test begins with power-on and all inputs off. Do the steps in their order. After each wait compare "
       "what is seen, tick the box, or write what was seen instead.</p>\n";
+  text += "<table><thead><tr><th>Signal</th><th>Terminal</th><th>What it is</th></tr></thead><tbody>\n";
+  for (const SheetSignal& signal : sheet.signals)
+    text += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", xmlText(signal.symbol), xmlText(signal.address),
+                        xmlText(signal.comment));
+  text += "</tbody></table>\n";
   for (std::size_t i = 0; i < sheet.table.tests.size(); ++i) {
     const TestCase& test = sheet.table.tests[i];
     text +=
@@ -191,6 +199,11 @@ std::string sheetMarkdown(const TestSheet& sheet) {
   std::string text = fmt::format("# Acceptance test: {}\n\nProgram SHA-256 `{}`, rungproof {}\n\n",
                                  markdownCell(sheet.title), sheet.hash, programVersion());
   for (const std::string& line : sheet.basis) text += markdownCell(line) + "\n\n";
+  text += "| Signal | Terminal | What it is |\n|---|---|---|\n";
+  for (const SheetSignal& signal : sheet.signals)
+    text += fmt::format("| {} | {} | {} |\n", markdownCell(signal.symbol), markdownCell(signal.address),
+                        markdownCell(signal.comment));
+  text += "\n";
   for (std::size_t i = 0; i < sheet.table.tests.size(); ++i) {
     const TestCase& test = sheet.table.tests[i];
     text += fmt::format("## {}\n\nPurpose: {}.\n\n", markdownCell(test.name), markdownCell(sheet.purposes[i]));

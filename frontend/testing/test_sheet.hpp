@@ -21,10 +21,16 @@ struct SheetRequirement {
   std::vector<std::string> tests;  ///< names; empty: no test does
 };
 
+/// An input or output of the tests.
+struct SheetSignal {
+  std::string symbol, address, comment;
+};
+
 struct TestSheet {
   std::string title;               ///< first file of the program
   std::string hash;                ///< SHA-256 of its text
   std::vector<std::string> basis;  ///< CPU, scan times, how expectations were checked
+  std::vector<SheetSignal> signals;
   TestTable table;
   std::vector<std::string> purposes;               ///< by test
   std::vector<std::vector<std::string>> networks;  ///< by test: "MAIN:4"

@@ -202,11 +202,12 @@ TEST_F(Generate, NumbersAreTriedAtTheirLimits) {
 // The guard is a make contact in series with the start; what moves the motor stands in the purpose with its symbol.
 TEST_F(Generate, SaysWhatATestIsForAndLeadsToTheNetworks) {
   const std::string program = write("guard.awl", "Network 1\nLD I0.0\nO Q0.0\nA I0.1\n= Q0.0\n");
-  generate(program, 0, {"--symbols", write("s.csv", "Start,I0.0,\nGuard,I0.1,\nMotor,Q0.0,\n")});
+  generate(program, 0, {"--symbols", write("s.csv", "Start,I0.0,green button S1\nGuard,I0.1,\nMotor,Q0.0,\n")});
   const std::string sheet = content("out/sheet.md");
   EXPECT_NE(sheet.find("Purpose: Motor (Q0.0) comes when "), std::string::npos) << sheet;
   EXPECT_NE(sheet.find("values to be seen are proved"), std::string::npos) << sheet;
   EXPECT_EQ(sheet.find("not proved"), std::string::npos) << sheet;
+  EXPECT_NE(sheet.find("| Start | I0.0 | green button S1 |"), std::string::npos) << sheet;
   EXPECT_NE(content("out/sheet.html").find("<a href=\"coverage.html#n0-0\">MAIN:1</a>"), std::string::npos);
   EXPECT_NE(content("out/coverage.html").find("id=\"n0-0\""), std::string::npos);
 }

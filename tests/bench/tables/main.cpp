@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
     add(ofText, f.ofText);
     if (questions.random) {
       ++random;
-      stepsOfTests += f.rows;
+      stepsOfTests += f.coverageSteps;
       stepsOfRandom += f.randomSteps;
     }
     all.push_back(f);

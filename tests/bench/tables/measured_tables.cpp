@@ -142,24 +142,42 @@ class Measurement {
     }
   }
 
+  static bool isCovered(const CoverageRecorder& recorder, const nlohmann::json& wanted) {
+    std::map<Measure, std::size_t> covered;
+    for (const CoverageItem& item : coverageItems(recorder)) covered[item.first.measure] += item.isCovered ? 1 : 0;
+    return std::ranges::all_of(allMeasures, [&](Measure measure) {
+      return covered[measure] >= wanted[std::string(measureWord(measure))]["covered"].get<std::size_t>();
+    });
+  }
+
+  /// Tests that notice faults come behind those that cover.
+  void countCoverageSteps(const CoverageMap& map, const nlohmann::json& wanted) {
+    CoverageRecorder recorder(map);
+    for (const TestCase& test : table_.tests) {
+      if (isCovered(recorder, wanted)) return;
+      figures_.coverageSteps += test.rows.size();
+      TestPlayOptions play;
+      play.stopsAtFailure = false;
+      play.observer = &recorder;
+      play.beforeScan = [&](std::uint64_t) { recorder.beginScan(); };
+      Simulator simulator(program_, play.engine);
+      playTest(simulator, table_, test, play);
+    }
+  }
+
   /// Steps as somebody takes them who knows only the inputs, until as much is covered as the tests cover.
   void tryAtRandom(const nlohmann::json& wanted) {
     const TestSignals signals = testSignalsOf(program_, {});
     const CoverageMap map(program_);
+    countCoverageSteps(map, wanted);
     CoverageRecorder recorder(map);
     std::mt19937 random(1);
-    const auto isDone = [&] {
-      std::map<Measure, std::size_t> covered;
-      for (const CoverageItem& item : coverageItems(recorder)) covered[item.first.measure] += item.isCovered ? 1 : 0;
-      return std::ranges::all_of(allMeasures, [&](Measure measure) {
-        return covered[measure] >= wanted[std::string(measureWord(measure))]["covered"].get<std::size_t>();
-      });
-    };
-    const std::size_t most = mostOfRandom * figures_.rows;
-    while (!isDone() && figures_.randomSteps < most) {
+    const std::size_t most = mostOfRandom * figures_.coverageSteps;
+    while (!isCovered(recorder, wanted) && figures_.randomSteps < most) {
       Simulator simulator(program_);
       simulator.observe(&recorder);
-      for (std::size_t step = 0; step < stepsOfRandomTest && figures_.randomSteps < most && !isDone(); ++step) {
+      for (std::size_t step = 0; step < stepsOfRandomTest && figures_.randomSteps < most; ++step) {
+        if (isCovered(recorder, wanted)) break;
         ++figures_.randomSteps;
         if (!signals.inputs.empty()) {
           const TestInput& input = signals.inputs[random() % signals.inputs.size()];
@@ -174,7 +192,7 @@ class Measurement {
         }
       }
     }
-    figures_.isRandomCut = !isDone();
+    figures_.isRandomCut = !isCovered(recorder, wanted);
   }
 
   const std::filesystem::path file_;

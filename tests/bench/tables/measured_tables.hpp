@@ -26,9 +26,10 @@ struct Figures {
   std::vector<std::string> openGoals{};
   double seconds = 0;  ///< of processor time, generation alone
   std::size_t tests = 0, rows = 0, timingRows = 0, cells = 0;
-  std::size_t failures = 0;  ///< in rows without mark, of all replays
-  Faults planted{};          ///< those of --kill
-  Faults ofText{};           ///< of text_mutant.hpp, which the generator does not know
+  std::size_t failures = 0;       ///< in rows without mark, of all replays
+  Faults planted{};               ///< those of --kill
+  Faults ofText{};                ///< of text_mutant.hpp, which the generator does not know
+  std::size_t coverageSteps = 0;  ///< of the tests in their order, until all is covered
   std::size_t randomSteps = 0;
   bool isRandomCut = false;  ///< random testing had not covered the same by then
 };
