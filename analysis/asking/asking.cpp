@@ -70,7 +70,14 @@ const Network& Asking::networkOf(const Instruction& instruction) { return *posit
 
 std::vector<const Instruction*> Asking::rungOf(const Instruction& instruction) {
   const Position& position = positionOf(instruction);
-  return rungproof::rungOf(*position.network, position.index);
+  // Outputs behind each other have one rung.
+  bool isSame = lastRung_.network == position.network && lastRung_.index < position.index;
+  for (std::size_t i = lastRung_.index; isSame && i < position.index; ++i)
+    isSame = !isLogic(roleOf(position.network->instructions[i]));
+  lastRung_.network = position.network;
+  lastRung_.index = position.index;
+  if (!isSame) lastRung_.contacts = rungproof::rungOf(*position.network, position.index);
+  return lastRung_.contacts;
 }
 
 void Asking::ask(RuleQuestion question) {

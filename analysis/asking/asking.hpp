@@ -68,6 +68,12 @@ class Asking {
   std::map<const Instruction*, Runs> runs_;
   std::vector<const Instruction*> executed_;
   std::map<const Instruction*, Position> positions_;
+  struct Rung {
+    const Network* network = nullptr;
+    std::size_t index = 0;
+    std::vector<const Instruction*> contacts{};
+  };
+  Rung lastRung_;  ///< that was asked for
 };
 
 /// Contacts that are there to be constant or to come once: special memory.

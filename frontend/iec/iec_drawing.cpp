@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "frontend/graphical/drawn_circuit.hpp"
 #include "frontend/iec/iec_lowering.hpp"
@@ -31,6 +32,9 @@ class DrawingToStatements {
         flows_(static_cast<std::size_t>(circuit_.count())) {}
 
   void run() {
+    for (int i = 0; i < circuit_.count(); ++i) {
+      if (circuit_.element(i).kind == DrawnKind::Contact) contacts_.insert(inCircuit(i));
+    }
     for (const int i : circuit_.results()) attempt(i);
   }
 
@@ -47,15 +51,12 @@ class DrawingToStatements {
 
   /// In front of a coil: a contact of its network that is read behind it may see the value of before.
   void keepForContacts(int i) {
-    for (int k = 0; k < circuit_.count(); ++k) {
-      if (circuit_.element(k).kind != DrawnKind::Contact || inCircuit(k) != inCircuit(i) ||
-          before_.contains(inCircuit(i)))
-        continue;
-      const Span span = circuit_.element(i).span;
-      const std::string kept = hidden("before", "BOOL", span);
-      before_.emplace(inCircuit(i), kept);
-      assign(i, pathOf({kept}, span), parsed(circuit_.element(i).text, span));
-    }
+    const InCircuit variable = inCircuit(i);
+    if (!contacts_.contains(variable) || before_.contains(variable)) return;
+    const Span span = circuit_.element(i).span;
+    const std::string kept = hidden("before", "BOOL", span);
+    before_.emplace(variable, kept);
+    assign(i, pathOf({kept}, span), parsed(circuit_.element(i).text, span));
   }
   /// The variable of a contact, by the reading in force.
   ExprPtr seenBy(int i) {
@@ -413,6 +414,7 @@ class DrawingToStatements {
   DrawnCircuit circuit_;
   std::vector<bool> isDone_;
   std::vector<std::string> flows_;
+  std::set<InCircuit> contacts_;             ///< variables that contacts read
   std::map<InCircuit, std::string> before_;  ///< by variable that a coil has written: its value of before
   int depth_ = 0;
   bool isWriting_ = false;
