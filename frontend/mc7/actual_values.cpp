@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "frontend/step7/constant_parser.hpp"
 #include "frontend/step7/constant_spelling.hpp"
 
 namespace rungproof::mc7 {
@@ -109,7 +110,15 @@ class ValueWriter {
   }
 
   std::uint8_t at(std::uint64_t byte) const { return static_cast<std::uint8_t>(image_[byte]); }
-  void line(const std::string& name, std::string_view value) { text_ += fmt::format("   {} := {} ;\n", name, value); }
+  /// Bytes that no constant of the type spells, such as a date of zeros, are said in a remark.
+  void line(const std::string& name, std::string_view value) {
+    step7::Cursor cursor(value, 0);
+    const step7::ConstantOutcome read =
+        step7::readConstant(cursor, step7::MnemonicSet::International, TextEncoding::Utf8);
+    const bool isConstant = read.constant && cursor.at() == value.size();
+    text_ += isConstant ? fmt::format("   {} := {} ;\n", name, value)
+                        : fmt::format("   // {}: its actual value is none of its type\n", name);
+  }
 
   const std::vector<std::uint8_t>& initial_;
   std::string_view image_;

@@ -9,6 +9,7 @@
 #include "frontend/mc7/actual_values.hpp"
 #include "frontend/mc7/block_head.hpp"
 #include "frontend/mc7/call_recovery.hpp"
+#include "frontend/mc7/structure_places.hpp"
 #include "frontend/step7/source_parser.hpp"
 #include "frontend/step7/type_table.hpp"
 #include "ir/s7300/library.hpp"
@@ -207,7 +208,7 @@ class BodyWriter {
 
   void statements(std::size_t from, std::size_t to, bool isLast, std::string& body) {
     const CalleeInterface interface = [this](BlockKey key) { return declared_.interface(key); };
-    const CallContext context{decoded_.items, names_, interface, instance_.get(), targets_};
+    const CallContext context{decoded_.items, names_, interface, instance_.get(), temporary_.get(), targets_};
     for (std::size_t i = from; i < to;) {
       const CodeItem& item = decoded_.items[i];
       // The closing BE says nothing, unless a jump leads there.
@@ -313,7 +314,10 @@ std::vector<BlockSource> sourcesOf(const std::vector<StoredBlock>& blocks, bool 
     if (block.key.kind == BlockKind::Db) {
       source.text += "BEGIN\n";
       const auto structure = declared.types().structure(block.key);
-      if (structure != nullptr && source.damage.empty()) source.text += actualValues(*structure, block.code);
+      if (structure != nullptr && source.damage.empty()) {
+        source.text += actualValues(*structure, block.code);
+        source.image = block.code;
+      }
     }
     source.text += fmt::format("{}\n", endKeywordOf(block.key.kind));
   }

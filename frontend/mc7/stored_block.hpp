@@ -51,7 +51,8 @@ struct StoredBlock {
   std::vector<std::string> labels;        ///< of the jumps in the order of the table
   std::vector<UsedBlock> used;            ///< by its declaration and its code
 
-  std::string damage;  ///< why its code or data cannot be read; empty: they can
+  std::string damage;             ///< why its code or data cannot be read; empty: they can
+  bool isLostWithOthers = false;  ///< the damage is that of a file, which is told once for all blocks in it
 
   bool isCode() const {
     return key.kind == step7::BlockKind::Ob || key.kind == step7::BlockKind::Fc || key.kind == step7::BlockKind::Fb;

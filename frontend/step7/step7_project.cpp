@@ -166,6 +166,7 @@ class ProjectBuilder {
       const MnemonicSet set = pending.set.value_or(vote.of(i));
       sets_[pending.file] = set;
       if (pending.hidden) hidden_.insert(pending.file);
+      if (pending.image) images_[pending.file] = pending.image;
       sources_.push_back(readSource(texts[i], {set, pending.encoding}, sink));
       const bool isText = !pending.set.has_value();  // and not statements that were decoded
       if (isText) checkSource(sources_.back(), texts[i], declarations_->sourceFaults);
@@ -225,6 +226,8 @@ class ProjectBuilder {
     block.bytes = s7300::initialBytes(*structure);
     if (!types_->isOpaque(entry.key))
       for (const Assignment& assignment : syntax.assignments) assign(entry, *structure, assignment, block.bytes);
+    if (const auto image = images_.find(syntax.heading.file); image != images_.end())
+      takeImage(*image->second, block.bytes);
     if (const std::optional<BlockKey> instance = types_->instanceOf(syntax)) block.instanceOf = irNumber(*instance);
     block.readOnly = syntax.readOnly;
     block.unlinked = syntax.unlinked;
@@ -233,6 +236,12 @@ class ProjectBuilder {
     declarations_->dataBlocks[number] = structure;
     if (!block.name.empty()) declarations_->dataBlockNames[s7300::foldedName(block.name)] = number;
     program_.dataBlocks.push_back(std::move(block));
+  }
+
+  /// The bytes that are stored, which may lack or have one that fills the block up.
+  static void takeImage(std::string_view image, std::vector<std::uint8_t>& bytes) {
+    if (image.size() > bytes.size() + 1 || bytes.size() > image.size() + 1) return;
+    std::copy_n(image.begin(), std::min(image.size(), bytes.size()), bytes.begin());
   }
 
   void assign(const CatalogueEntry& entry, const Structure& structure, const Assignment& assignment,
@@ -440,8 +449,9 @@ class ProjectBuilder {
   const ReadOptions& options_;
   Reports reports_;
   std::vector<SourceSyntax> sources_;
-  std::map<std::uint32_t, MnemonicSet> sets_;  ///< by file
-  std::set<std::uint32_t> hidden_;             ///< files whose statements are shown to nobody
+  std::map<std::uint32_t, MnemonicSet> sets_;                           ///< by file
+  std::set<std::uint32_t> hidden_;                                      ///< files whose statements are shown to nobody
+  std::map<std::uint32_t, std::shared_ptr<const std::string>> images_;  ///< by file
   std::vector<SymbolRow> symbols_;
   std::vector<std::unique_ptr<SourceSyntax>> librarySources_;
   std::optional<BlockCatalogue> catalogue_;

@@ -20,6 +20,7 @@ struct PendingFile {
   TextEncoding encoding = TextEncoding::Utf8;
   std::optional<MnemonicSet> set{};             ///< known beforehand; nothing: the texts tell
   std::shared_ptr<const std::string> hidden{};  ///< what is read in place of the text of the file, and shown to nobody
+  std::shared_ptr<const std::string> image{};   ///< of a stored data block: its bytes, which count
 };
 
 struct Step7Project {

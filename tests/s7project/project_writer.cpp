@@ -63,7 +63,7 @@ class ContainerWriter {
     if (!block.used.empty()) {
       std::string list;
       for (const mc7::UsedBlock& used : block.used)
-        list += toString(used.key) + "," + stampBytes(0) + stampBytes(used.interface) + ";";
+        list += toString(used.key) + "," + stampBytes(used.interface) + stampBytes(0) + ";";
       part(block, types.used, list, "", "", isDeleted);
     }
   }
