@@ -8,7 +8,11 @@
 #include <map>
 #include <ranges>
 
+#include "frontend/mc7/block_head.hpp"
+#include "frontend/mc7/missing_types.hpp"
+#include "frontend/step7/source_parser.hpp"
 #include "frontend/stl/syntax_sink.hpp"
+#include "ir/s7300/library.hpp"
 
 namespace rungproof {
 
@@ -69,12 +73,17 @@ void StoredReader::addUploads(const std::vector<StoredBlock>& blocks, bool hides
   addBlocks(blocks, names, TextEncoding::Cp1252, hidesProtected);
 }
 
-void StoredReader::addBlocks(const std::vector<StoredBlock>& blocks, const std::vector<std::string>& names,
-                             TextEncoding encoding, bool hidesProtected) {
+void StoredReader::addBlocks(std::vector<StoredBlock> blocks, std::vector<std::string> names, TextEncoding encoding,
+                             bool hidesProtected) {
+  for (StoredBlock& type : mc7::missingTypesOf(blocks)) {
+    names.push_back(fmt::format("{} (missing)", toString(type.key)));
+    blocks.push_back(std::move(type));
+  }
   const std::vector<mc7::BlockSource> sources = mc7::sourcesOf(blocks, hidesProtected);
   std::vector<std::uint32_t> files(blocks.size());
   std::size_t next = 0;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (blocks[i].key.kind == step7::BlockKind::Sfb) addFrame(blocks[i], names[i]);
     if (next == sources.size() || sources[next].key != blocks[i].key) continue;
     const mc7::BlockSource& source = sources[next++];
     const bool isHidden = !source.shown.empty();
@@ -86,6 +95,19 @@ void StoredReader::addBlocks(const std::vector<StoredBlock>& blocks, const std::
     if (!source.damage.empty()) reportDamage(blocks[i], source, file);
   }
   reportConflicts(blocks, files);
+}
+
+/// The interface of a system block that the library does not have.
+void StoredReader::addFrame(const StoredBlock& block, const std::string& name) {
+  if (s7300::libraryBlock(BlockType::Sfb, block.key.number) != nullptr) return;
+  const std::string text =
+      mc7::headOf(block, false).text + fmt::format("{}\n", mc7::endKeywordOf(step7::BlockKind::Fb));
+  const std::uint32_t file = program_.sources->add(name, text);
+  SyntaxSink sink(program_, file);
+  step7::SourceSyntax source =
+      step7::readSource(program_.sources->file(file).text(), {MnemonicSet::International, TextEncoding::Utf8}, sink);
+  for (step7::BlockSyntax& each : source.blocks) each.name.kind = step7::BlockKind::Sfb;
+  step7_.drawn.push_back(std::move(source));
 }
 
 void StoredReader::addSymbols(const std::vector<s7project::Symbol>& symbols, const std::string& name,

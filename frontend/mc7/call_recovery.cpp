@@ -243,6 +243,7 @@ class CallFollower {
     transfers(after_);
     std::optional<std::string> text = callText(call, {frame_->kind, numberOf(call)});
     if (!text) return false;
+    result_.editorLines = 1 + static_cast<std::uint32_t>(call.list.size());
     result_.lines.push_back(std::move(*text));
     return true;
   }
@@ -462,6 +463,7 @@ class CallFollower {
     bool isFirst = true;
     for (const Field& formal : interface->fields) {
       if (formal.section > step7::Section::InOut) continue;
+      ++result_.editorLines;
       const std::uint32_t address = offset + formal.byte * 8 + formal.bit;
       const std::optional<std::string> actual = instanceActual(formal, address, isMulti);
       if (!actual) return false;

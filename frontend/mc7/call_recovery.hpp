@@ -33,6 +33,7 @@ bool readsSavedBit(const std::vector<CodeItem>& items, std::uint32_t byte, unsig
 struct RecoveredCall {
   std::size_t end = 0;             ///< index of the item behind it
   std::vector<std::string> lines;  ///< statements without semicolon
+  std::uint32_t editorLines = 1;   ///< the editor has one for the call and one for each parameter
 };
 
 /// The call whose first BLD is items[index]; nothing if what follows is not exactly of the compiler's making.

@@ -184,8 +184,10 @@ class ContainerReader {
     for (std::size_t i = 0; i < networks && at + 2 <= table.size(); ++i, at += 2) {
       const std::size_t length = containerWord(table, at);
       if (section > texts.size()) break;
-      const StoredBlock::NetworkText network = mc7::readTitleRecord(std::string_view(texts).substr(section, length), 6);
-      block.networkTexts.push_back({text_(network.title), text_(network.comment)});
+      const std::string_view record = std::string_view(texts).substr(section, length);
+      const StoredBlock::NetworkText network = mc7::readTitleRecord(record, 6);
+      block.networkTexts.push_back({text_(network.title), text_(network.comment), mc7::readLineRecords(record)});
+      for (StoredBlock::LineText& line : block.networkTexts.back().lines) line.text = text_(line.text);
       section += length;
     }
     if (at + 2 > table.size()) return;

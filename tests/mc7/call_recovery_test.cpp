@@ -166,6 +166,30 @@ TEST(Mc7Calls, OtherStatementsStay) {
     expectHas(text, part);
 }
 
+// Comments stand behind the statements of their lines: a call has a line more for each of its three parameters.
+TEST(Mc7Calls, CommentsOfLines) {
+  StoredBlock block = blockOf(main, "",
+                              {"BLD 1", "= L 20.0", "UC FC 7 {P#I 0.0, P#M 2.0, P#M 4.0}", "BLD 2", "A I 0.1",
+                               "OPN DB 3", "A DBX 1.2", "= Q 0.0"});
+  block.networkTexts = {
+      {"",
+       "",
+       {{2, true, false, "of A"}, {5, true, false, "beside"}, {6, true, true, "opened"}, {8, false, false, "alone"}}}};
+  const std::string text = textBeside(block);
+  expectHas(text, "CALL  FC 7 (A := I 0.0, B := MW 2, C := MW 4) ; //of A\n");
+  expectHas(text, "A     I 0.1 ; //beside\n");
+  expectHas(text, "OPN   DB 3 ; //opened\n      A     DBX 1.2 ;\n      =     Q 0.0 ;\n//alone\n");
+}
+
+// Behind a call whose lines nobody can count, no comment is put beside a statement; none is lost.
+TEST(Mc7Calls, CommentsBehindAnUnknownCall) {
+  StoredBlock block = blockOf(main, "", {"A I 0.1", "BLD 1", "= L 20.0", "UC FC 99 {P#I 0.0}", "BLD 2", "A I 0.2"});
+  block.networkTexts = {{"", "", {{1, true, false, "first"}, {4, true, false, "second"}}}};
+  const std::string text = textBeside(block);
+  expectHas(text, "A     I 0.1 ; //first\n");
+  expectHas(text, "A     I 0.2 ;\n//second\n");
+}
+
 // A callee that nobody knows keeps its list.
 TEST(Mc7Calls, UnknownCalleeKeepsItsList) {
   const std::string text = textBeside(blockOf(main, "", {"BLD 1", "= L 20.0", "UC FC 99 {P#I 0.0}", "BLD 2"}));
