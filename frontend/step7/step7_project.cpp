@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 
 #include "frontend/step7/library_source.hpp"
 #include "frontend/step7/mnemonic_vote.hpp"
@@ -181,6 +182,13 @@ class ProjectBuilder {
     }
     sources_.insert(sources_.end(), project.drawn.begin(), project.drawn.end());
     symbols_.insert(symbols_.end(), project.drawnSymbols.begin(), project.drawnSymbols.end());
+    const auto nameTitle = [&](std::string& title) {
+      if (const auto text = project.texts.find(title); text != project.texts.end()) title = text->second;
+    };
+    for (BlockSyntax& block : sources_ | std::views::transform(&SourceSyntax::blocks) | std::views::join) {
+      nameTitle(block.title);
+      for (NetworkSyntax& network : block.networks) nameTitle(network.title);
+    }
   }
 
   /// Tables are written in the mnemonics of the machine that exported them.

@@ -2,6 +2,7 @@
 // make together, in whatever order they came. Tested by tests/step7/project_test.cpp.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,8 @@ struct Step7Project {
   std::vector<SourceSyntax> drawn;            ///< what drawings say, as sources (frontend/flgnet)
   std::vector<SymbolRow> drawnSymbols;        ///< names of their blocks
   std::vector<DrawnInstance> drawnInstances;  ///< data blocks that their calls name
+
+  std::map<std::string, std::string> texts;  ///< titles of drawings by their ids
 
   bool hasBlocks() const { return !sources.empty() || !drawn.empty(); }
 };
