@@ -15,6 +15,7 @@
 #include "analysis/schedule/technique.hpp"
 #include "analysis/witness/outcome.hpp"
 #include "frontend/acceptance_record.hpp"
+#include "frontend/compared_block.hpp"
 #include "frontend/files/exit.hpp"
 #include "ir/finding.hpp"
 #include "ir/source.hpp"
@@ -148,6 +149,7 @@ struct Report {
   std::vector<Finding> findings;
   std::vector<PropertyResult> properties;
   std::optional<Comparison> comparison;
+  std::vector<ComparedBlock> blocks{};  ///< of two programs, where stored blocks are among them
   Coverage coverage;
   std::optional<std::vector<PlantedFault>> selfCheck;
   std::shared_ptr<const TestReport> tests{};  ///< nullptr: of another command

@@ -197,6 +197,20 @@ class Matcher {
 
 }  // namespace
 
+namespace {
+
+/// Without the names that stood there: a place is what it is whatever a block calls it.
+Operand withoutNames(Operand operand) {
+  if (operand.reach == nullptr) return operand;
+  operand.text = std::string_view();
+  Reach reach = *operand.reach;
+  reach.pointer = withoutNames(reach.pointer);
+  operand.reach = Shared<Reach>(std::move(reach));
+  return operand;
+}
+
+}  // namespace
+
 std::string textInOld(const Instruction& after, const AddressPairs& pairs) {
   std::string text(after.desc->stl);
   std::string_view gap = " ";
@@ -207,7 +221,7 @@ std::string textInOld(const Instruction& after, const AddressPairs& pairs) {
       continue;
     }
     if (pairs.empty() || operand.kind == OperandKind::Constant || operand.kind == OperandKind::Text) {
-      text += toString(operand);
+      text += toString(withoutNames(operand));
       continue;
     }
     Operand place = operand;

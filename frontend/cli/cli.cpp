@@ -258,6 +258,11 @@ int runCommand(const Command& command, std::vector<std::string> arguments, const
       if (auto failure = projectFailure({inputs[i]}, sides[i], false)) return failed(streams.err, *failure);
       applyHardware({inputs[i]}, sides[i]);
     }
+    // Blocks out of a CPU tell nothing of its configuration: that of the project counts.
+    for (const std::size_t i : {0U, 1U}) {
+      if (inputs.size() != 2 || (!projectArgument(inputs[1 - i]) && projectsIn(inputs[1 - i]).empty())) continue;
+      if (areUploads(expandFolders({inputs[i]}))) applyHardware({inputs[1 - i]}, sides[i]);
+    }
   }
 
   Context context{settings,

@@ -12,10 +12,12 @@
 #include "frontend/command.hpp"
 #include "frontend/explain/certificate_head.hpp"
 #include "frontend/input/proof_input.hpp"
+#include "frontend/sides/block_comparison.hpp"
 #include "frontend/sides/difference_report.hpp"
 #include "frontend/sides/sides.hpp"
 #include "frontend/simulation/trace_file.hpp"
 #include "frontend/simulation/witness_report.hpp"
+#include "frontend/stl/syntax_message.hpp"
 #include "frontend/testing/table_reader.hpp"
 
 namespace rungproof {
@@ -117,6 +119,41 @@ bool writeCertificates(const Context& context, const std::string& directory, con
   return isWritten;
 }
 
+/// Whether the settings that tell how a program is read and run are those of the other.
+bool hasSameSettings(const Context& context) {
+  constexpr std::array ofOneProgram = {Opt::Mnemonics, Opt::Encoding, Opt::Symbols,      Opt::Tags,
+                                       Opt::Exclude,   Opt::Program,  Opt::StdinFilename};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(Opt::count); ++i) {
+    const auto id = static_cast<Opt>(i);
+    if (std::ranges::find(ofOneProgram, id) != ofOneProgram.end()) continue;
+    if (context.side(ProgramSide::Old).list(id) != context.side(ProgramSide::New).list(id)) return false;
+  }
+  return true;
+}
+
+/// The same bytes that begin with the same values do the same on the same CPU, also where the tool does not know what
+/// they do. Certificates are asked of the prover.
+bool isDecidedByBlocks(const Context& context, const Arguments& arguments, const Sides& sides, const Report& report) {
+  const auto isLoss = [](const Finding& finding) { return finding.rule == syntaxMessage(Syntax::ProjectLost).id; };
+  return areSameBlocks(report.blocks, arguments.sides.values == "old") && arguments.certificates.empty() &&
+         arguments.latency == 0 && sides.pairs.empty() && arguments.sides.with.empty() &&
+         std::ranges::none_of(report.findings, isLoss) && hasSameSettings(context);
+}
+
+/// What the verdict means for the blocks that differ.
+void noteBlocks(Report& report, bool ignoresValues) {
+  const auto count = [&](BlockLikeness likeness) {
+    return std::ranges::count(report.blocks, likeness, &ComparedBlock::likeness);
+  };
+  std::vector<std::string>& notes = report.comparison->notes;
+  if (report.comparison->equal && count(BlockLikeness::Changed) > 0)
+    notes.emplace_back("what differs in the changed blocks changes no output");
+  if (count(BlockLikeness::OtherValues) == 0) return;
+  notes.emplace_back(ignoresValues ? "both begin with the values that the data blocks have in OLD"
+                                   : "each begins with the values of its own data blocks; --values old compares from "
+                                     "those of OLD");
+}
+
 Exit run(const Arguments& arguments, Context& context) {
   std::vector<Failure> failures;
   const std::optional<Duration> settle = arguments.settle.empty() ? Duration{} : durationNamed(arguments.settle);
@@ -130,6 +167,14 @@ Exit run(const Arguments& arguments, Context& context) {
   merger.add(partOf(sides.before, *sides.unreadBefore, sides.filesBefore, sides.leftOutBefore));
   merger.add(partOf(sides.after, *sides.unreadAfter, sides.filesAfter, sides.leftOutAfter));
   Report report = merger.take();
+  report.blocks = sides.blocks;
+  if (isDecidedByBlocks(context, arguments, sides, report)) {
+    report.comparison.emplace();
+    report.comparison->verdict = equalityName(Equality::Equal);
+    report.comparison->method = "the same machine code";
+    std::erase_if(report.findings, [](const Finding&) { return true; });
+    return finish(context, std::move(report));
+  }
   if (sides.unreadBefore->isRefused() || sides.unreadAfter->isRefused() || !report.findings.empty()) {
     report.reasons.push_back({Exit::Failed, "a part of a program is refused"});
     return finish(context, std::move(report));
@@ -156,6 +201,7 @@ Exit run(const Arguments& arguments, Context& context) {
   }
 
   report.comparison = comparisonOf(found, *sides.runBefore);
+  noteBlocks(report, arguments.sides.values == "old");
   report.assumptions = found.assumptions;
   std::vector<std::string>& approximated = report.coverage.approximated;  // of both programs, which may share files
   approximated.insert(approximated.end(), found.approximations.begin(), found.approximations.end());
@@ -219,6 +265,10 @@ extern constexpr Command equivCommand = {
         "program\n"
         "that stops while the other runs is a difference.\n"
         "\n"
+        "Of a STEP 7 project and blocks read out of a CPU, blocks are matched by number first: which are the same\n"
+        "byte by byte, which have other values, which networks differ, and which only one program has. Where all are\n"
+        "the same, nothing has to be proved. Blocks out of a CPU run with the hardware configuration of the project.\n"
+        "\n"
         "Verdicts: EQUAL (exit code 0), DIFFERENT (1), with a run that the reference engine has made on both "
         "programs,\n"
         "UNKNOWN (3).\n"
@@ -226,6 +276,7 @@ extern constexpr Command equivCommand = {
         "Examples:\n"
         "    rungproof equiv press.awl press_tidied.awl\n"
         "    rungproof equiv old/ new/ --map moved.map --observe Q0.0,QB4\n"
+        "    rungproof equiv Plant.s7p upload/ --values old\n"
         "    rungproof equiv press.awl press.xml --with new:tags.sdf --trace difference.csv\n",
     .shows = option_group::Reading | option_group::Running | option_group::Output | option_group::Configuration,
     .comparesTwo = true,

@@ -299,7 +299,7 @@ class BlockReader {
     if (const pugi::xml_node net = childNamed(source, "FlgNet")) {
       network.form = language.ends_with("FBD") ? Form::Fbd : Form::Ladder;
       const std::optional<Circuit> circuit = readCircuit(xml_, *part_, net, sink_);
-      if (circuit) noteInstances(*circuit, block);
+      if (circuit) noteInstances(*circuit, block, result_.instances);
       if (!circuit || !writeStatements(*circuit, labels, sink_, network)) network.isUnread = true;
     } else if (const pugi::xml_node statements = childNamed(source, "StatementList")) {
       const int number = network.number;
@@ -316,19 +316,6 @@ class BlockReader {
     }
   }
 
-  /// What the instances of calls are instances of: exports hold few of the data blocks, and IEC_TIMER alone does not
-  /// say which timer it is of.
-  void noteInstances(const Circuit& circuit, BlockSyntax& block) {
-    for (const Part& part : circuit.parts) {
-      const std::optional<Operand> of = operandFrom(iecBlock(part.name), part.span);
-      const std::optional<step7::BlockName> callee = part.callee ? part.callee : of ? of->block : std::nullopt;
-      if (!callee) continue;
-      if (part.instance.form == step7::OperandForm::Symbol)
-        result_.instances.push_back({*callee, part.instance, part.span});
-      else if (part.instance.form == step7::OperandForm::Local)
-        step7::settleGeneric(block.declarations, part.instance.path, *callee);
-    }
-  }
   void noteInstance(const step7::Statement& call) {
     if (call.instance.form == step7::OperandForm::Symbol && call.operand.form == step7::OperandForm::Symbol)
       result_.instances.push_back({{std::nullopt, 0, call.operand.name, call.operand.span}, call.instance, call.span});
@@ -361,6 +348,18 @@ class BlockReader {
 };
 
 }  // namespace
+
+void noteInstances(const Circuit& circuit, BlockSyntax& block, std::vector<step7::DrawnInstance>& instances) {
+  for (const Part& part : circuit.parts) {
+    const std::optional<Operand> of = operandFrom(iecBlock(part.name), part.span);
+    const std::optional<step7::BlockName> callee = part.callee ? part.callee : of ? of->block : std::nullopt;
+    if (!callee) continue;
+    if (part.instance.form == step7::OperandForm::Symbol)
+      instances.push_back({*callee, part.instance, part.span});
+    else if (part.instance.form == step7::OperandForm::Local)
+      step7::settleGeneric(block.declarations, part.instance.path, *callee);
+  }
+}
 
 DrawnSource readBlocks(const SourceFile& file, SyntaxSink& sink) { return BlockReader(file, sink).read(); }
 

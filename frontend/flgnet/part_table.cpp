@@ -102,8 +102,20 @@ constexpr auto relations = std::to_array<std::pair<std::string_view, std::string
     {{"Eq", "=="}, {"Ne", "<>"}, {"Gt", ">"}, {"Ge", ">="}, {"Lt", "<"}, {"Le", "<="}});
 constexpr auto compared =
     std::to_array<std::pair<std::string_view, std::string_view>>({{"Int", "I"}, {"DInt", "D"}, {"Real", "R"}});
-constexpr auto iecRows = std::to_array<std::pair<std::string_view, std::string_view>>(
-    {{"CTU", "SFB 0"}, {"CTD", "SFB 1"}, {"CTUD", "SFB 2"}, {"TP", "SFB 3"}, {"TON", "SFB 4"}, {"TOF", "SFB 5"}});
+struct IecRow {
+  std::string_view part, block, input, output;
+};
+constexpr auto iecRows = std::to_array<IecRow>({{"CTU", "SFB 0", "cu", "q"},
+                                                {"CTD", "SFB 1", "cd", "q"},
+                                                {"CTUD", "SFB 2", "cu", "qu"},
+                                                {"TP", "SFB 3", "in", "q"},
+                                                {"TON", "SFB 4", "in", "q"},
+                                                {"TOF", "SFB 5", "in", "q"}});
+
+const IecRow* iecRow(std::string_view part) {
+  const auto row = std::ranges::find(iecRows, part, &IecRow::part);
+  return row == iecRows.end() ? nullptr : &*row;
+}
 
 std::string_view secondOf(std::span<const std::pair<std::string_view, std::string_view>> rows, std::string_view first) {
   const auto row = std::ranges::find(rows, first, &std::pair<std::string_view, std::string_view>::first);
@@ -136,6 +148,18 @@ bool isBoxPart(std::string_view part) {
 
 std::string_view relationOf(std::string_view part) { return secondOf(relations, part); }
 std::string_view compareSuffix(std::string_view type) { return secondOf(compared, type); }
-std::string_view iecBlock(std::string_view part) { return secondOf(iecRows, part); }
+
+std::string_view iecBlock(std::string_view part) {
+  const IecRow* row = iecRow(part);
+  return row == nullptr ? std::string_view() : row->block;
+}
+std::string_view iecFlowInput(std::string_view part) {
+  const IecRow* row = iecRow(part);
+  return row == nullptr ? std::string_view() : row->input;
+}
+std::string_view iecFlowOutput(std::string_view part) {
+  const IecRow* row = iecRow(part);
+  return row == nullptr ? std::string_view() : row->output;
+}
 
 }  // namespace rungproof::flgnet

@@ -56,5 +56,8 @@ std::string_view relationOf(std::string_view part);
 std::string_view compareSuffix(std::string_view type);
 /// "SFB 4" for TON; empty: no IEC block.
 std::string_view iecBlock(std::string_view part);
+/// The pins of an IEC block that the flow takes where none is named: "in" and "q", "cu" and "qu".
+std::string_view iecFlowInput(std::string_view part);
+std::string_view iecFlowOutput(std::string_view part);
 
 }  // namespace rungproof::flgnet

@@ -263,15 +263,9 @@ void printUnread(const Context& context, std::string_view command, const Program
 
 namespace {
 
-/// Blocks out of a CPU have any ending.
-bool beginsLikeUpload(const std::string& name) {
-  std::ifstream file(name, std::ios::binary);
-  std::string head(6, '\0');
-  return file.read(head.data(), 6) && mc7::isUpload(head);
-}
-
 bool isProgramName(const std::string& name) {
-  return endsInAny(name, {".awl", ".stl", ".xml", ".udt", ".db"}) || beginsLikeUpload(name);
+  return endsInAny(name, {".awl", ".stl", ".xml", ".udt", ".db", ".s7dcl", ".s7res", ".scl"}) ||
+         areUploads({name});  // those have any ending
 }
 
 /// Whether a file beside programs is a symbol table or a data block; traces and stimuli are none.

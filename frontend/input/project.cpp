@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include "frontend/files/disk_file.hpp"
@@ -301,11 +302,25 @@ class ProjectReader {
   std::vector<HeadlessBlock> headless_;
 };
 
+/// Texts of titles that stand beside documents of TIA Portal and are not among the files.
+std::vector<std::string> textsBeside(const std::vector<std::string>& files) {
+  std::vector<std::string> found;
+  for (const std::string& file : files) {
+    if (!endsInAny(file, {".s7dcl"})) continue;
+    const std::string texts = std::filesystem::path(file).replace_extension(".s7res").string();
+    std::error_code error;
+    if (std::filesystem::is_regular_file(texts, error) && std::ranges::find(files, texts) == files.end())
+      found.push_back(texts);
+  }
+  return found;
+}
+
 }  // namespace
 
 Program readProgram(const std::vector<std::string>& files, const ReadOptions& options) {
   ProjectReader reader(options);
   for (const std::string& file : files) reader.addFile(file, false);
+  for (const std::string& file : textsBeside(files)) reader.addFile(file, false);
   for (const std::string& file : options.symbolFiles) reader.addFile(file, true);
   return reader.finish();
 }

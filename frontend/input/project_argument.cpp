@@ -11,6 +11,7 @@
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/file_reader.hpp"
 #include "frontend/mc7/block_source.hpp"
+#include "frontend/mc7/upload.hpp"
 #include "frontend/s7project/archive.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 
@@ -169,6 +170,29 @@ void applyHardware(const std::vector<std::string>& names, Settings& settings) {
     }
     for (const auto& [option, texts] : values) settings.set(option, texts, argument->file);
   }
+}
+
+std::vector<mc7::StoredBlock> storedBlocksOf(const std::vector<std::string>& files, const Settings& settings) {
+  std::vector<mc7::StoredBlock> blocks;
+  for (const std::string& file : files) {
+    if (const std::optional<ProjectArgument> argument = projectArgument(file)) {
+      const auto project = s7project::s7ProjectOf(argument->file, encodingOf(settings));
+      for (const ProjectProgram* program : programsOf(*project, argument->program))
+        blocks.insert(blocks.end(), program->blocks.begin(), program->blocks.end());
+    } else if (areUploads({file})) {
+      const InputBytes input = inputBytes(file, longestProgram);
+      if (input.bytes) blocks.push_back(mc7::readUpload(*input.bytes, file));
+    }
+  }
+  return blocks;
+}
+
+bool areUploads(const std::vector<std::string>& files) {
+  return !files.empty() && std::ranges::all_of(files, [](const std::string& name) {
+    std::ifstream file(name, std::ios::binary);
+    std::string head(6, '\0');
+    return file.read(head.data(), 6) && mc7::isUpload(head);
+  });
 }
 
 std::string projectTree(const S7Project& project) {

@@ -37,6 +37,11 @@ std::optional<Failure> projectFailure(const std::vector<std::string>& names, con
 /// Sets what the hardware configuration of the one program says, where nothing else does.
 void applyHardware(const std::vector<std::string>& names, Settings& settings);
 
+/// The stored blocks among the files of one program: those of its project, and single ones out of a CPU.
+std::vector<mc7::StoredBlock> storedBlocksOf(const std::vector<std::string>& files, const Settings& settings);
+/// Whether each of them is a single block out of a CPU.
+bool areUploads(const std::vector<std::string>& files);
+
 /// The tree of a project, for people.
 std::string projectTree(const s7project::S7Project& project);
 

@@ -22,8 +22,9 @@ class StoredReader {
   void addUploads(const std::vector<mc7::StoredBlock>& blocks, bool hidesProtected);
 
  private:
-  void addBlocks(const std::vector<mc7::StoredBlock>& blocks, const std::vector<std::string>& names,
-                 TextEncoding encoding, bool hidesProtected);
+  void addBlocks(std::vector<mc7::StoredBlock> blocks, std::vector<std::string> names, TextEncoding encoding,
+                 bool hidesProtected);
+  void addFrame(const mc7::StoredBlock& block, const std::string& name);
   void addSymbols(const std::vector<s7project::Symbol>& symbols, const std::string& name, TextEncoding encoding);
   void reportDamage(const mc7::StoredBlock& block, const mc7::BlockSource& source, std::uint32_t file);
   void reportConflicts(const std::vector<mc7::StoredBlock>& blocks, const std::vector<std::uint32_t>& files);

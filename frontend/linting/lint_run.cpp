@@ -15,9 +15,11 @@
 #include "analysis/unread/idle_blocks.hpp"
 #include "frontend/input/proof_input.hpp"
 #include "frontend/input/protected_findings.hpp"
+#include "frontend/input/text_sources.hpp"
 #include "frontend/linting/baseline.hpp"
 #include "frontend/linting/solver_rules.hpp"
 #include "frontend/settings/code_list.hpp"
+#include "frontend/stl/syntax_message.hpp"
 
 namespace rungproof {
 
@@ -107,6 +109,8 @@ Report lintProgram(const Settings& settings, const ProgramInput& given, const st
   // Errors of the readers cannot be ignored: what was not read was not checked.
   std::erase_if(report.findings,
                 [&](const Finding& finding) { return !isReadError(finding) && !isSelected(finding.rule); });
+  if (isSelected(syntaxMessage(Syntax::SourceUnlike).id))
+    std::ranges::move(findUnlikeSources(program, files, settings), std::back_inserter(report.findings));
   std::vector<Finding> found =
       runRules(program, input.properties.externals, input.surroundings, selection, settings.ruleSettings());
   found.insert(found.begin(), std::make_move_iterator(report.findings.begin()),

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "frontend/step7/constant_parser.hpp"
 #include "frontend/step7/constant_spelling.hpp"
 
 namespace rungproof::mc7 {
@@ -42,7 +43,7 @@ class ValueWriter {
       if (!field.byReference) value(field.type, prefix + field.name, base + field.byte, field.bit);
     }
   }
-  std::string take() { return std::move(text_); }
+  std::vector<NamedValue> take() { return std::move(values_); }
 
  private:
   void value(const Type& type, const std::string& name, std::uint64_t byte, unsigned bit) {
@@ -109,20 +110,36 @@ class ValueWriter {
   }
 
   std::uint8_t at(std::uint64_t byte) const { return static_cast<std::uint8_t>(image_[byte]); }
-  void line(const std::string& name, std::string_view value) { text_ += fmt::format("   {} := {} ;\n", name, value); }
+  void line(const std::string& name, std::string_view value) {
+    step7::Cursor cursor(value, 0);
+    const step7::ConstantOutcome read =
+        step7::readConstant(cursor, step7::MnemonicSet::International, TextEncoding::Utf8);
+    const bool isConstant = read.constant && cursor.at() == value.size();
+    values_.push_back({name, isConstant ? std::string(value) : ""});
+  }
 
   const std::vector<std::uint8_t>& initial_;
   std::string_view image_;
-  std::string text_;
+  std::vector<NamedValue> values_;
 };
 
 }  // namespace
 
-std::string actualValues(const Structure& structure, std::string_view image) {
-  const std::vector<std::uint8_t> initial = s7300::initialBytes(structure);
-  ValueWriter writer(initial, image);
+std::vector<NamedValue> valuesUnlike(const Structure& structure, const std::vector<std::uint8_t>& reference,
+                                     std::string_view image) {
+  ValueWriter writer(reference, image);
   writer.structure(structure, "", 0);
   return writer.take();
+}
+
+std::string actualValues(const Structure& structure, std::string_view image) {
+  std::string text;
+  for (const NamedValue& one : valuesUnlike(structure, s7300::initialBytes(structure), image)) {
+    // Bytes that no constant of the type spells, such as a date of zeros, are said in a remark.
+    text += one.value.empty() ? fmt::format("   // {}: its actual value is none of its type\n", one.name)
+                              : fmt::format("   {} := {} ;\n", one.name, one.value);
+  }
+  return text;
 }
 
 }  // namespace rungproof::mc7

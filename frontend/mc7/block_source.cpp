@@ -9,6 +9,7 @@
 #include "frontend/mc7/actual_values.hpp"
 #include "frontend/mc7/block_head.hpp"
 #include "frontend/mc7/call_recovery.hpp"
+#include "frontend/mc7/structure_places.hpp"
 #include "frontend/step7/source_parser.hpp"
 #include "frontend/step7/type_table.hpp"
 #include "ir/s7300/library.hpp"
@@ -97,6 +98,51 @@ bool isLabelOfStep7(std::string_view name) {
          std::ranges::all_of(name, [&](char c) { return isLetter(c) || (c >= '0' && c <= '9'); });
 }
 
+/// Comments of lines, put behind the statements that they belong to.
+class RemarksOfLines {
+ public:
+  RemarksOfLines() = default;
+  explicit RemarksOfLines(const std::vector<StoredBlock::LineText>& lines) : lines_(&lines) {}
+
+  /// Whether the statement that comes next opens a data block by itself.
+  bool keepsNextApart() const {
+    return next() != nullptr && isCounted_ &&
+           std::any_of(lines_->begin() + static_cast<std::ptrdiff_t>(next_), lines_->end(),
+                       [&](const StoredBlock::LineText& text) { return text.keepsApart && text.line == line_ + 1; });
+  }
+  /// A statement of so many lines has been written.
+  void follow(std::uint32_t lines, std::string& body) {
+    line_ += lines;
+    bool isFirst = true;
+    while (isCounted_ && next() != nullptr && next()->line <= line_) write(std::exchange(isFirst, false), body);
+  }
+  /// A call that stays as it is has an unknown number of lines.
+  void loseCount(unsigned mark) {
+    constexpr std::array<unsigned, 6> opening = {1, 3, 7, 9, 14, 16};
+    if (std::ranges::find(opening, mark) != opening.end()) isCounted_ = false;
+  }
+  void rest(std::string& body) {
+    while (next() != nullptr) write(false, body);
+  }
+
+ private:
+  const StoredBlock::LineText* next() const {
+    return lines_ == nullptr || next_ >= lines_->size() ? nullptr : &(*lines_)[next_];
+  }
+  void write(bool isFirst, std::string& body) {
+    const StoredBlock::LineText& text = (*lines_)[next_++];
+    if (text.text.empty()) return;
+    const bool isBeside = isFirst && text.isOfStatement && isCounted_ && body.ends_with('\n');
+    if (isBeside) body.pop_back();
+    body += (isBeside ? " " : "") + asRemarks(text.text);
+  }
+
+  const std::vector<StoredBlock::LineText>* lines_ = nullptr;
+  std::size_t next_ = 0;
+  std::uint32_t line_ = 0;
+  bool isCounted_ = true;
+};
+
 /// The networks of one block.
 class BodyWriter {
  public:
@@ -130,6 +176,7 @@ class BodyWriter {
           i < block_.networkTexts.size() ? block_.networkTexts[i] : StoredBlock::NetworkText{};
       body += fmt::format("NETWORK\nTITLE ={}\n{}", asTitle(said.title), asRemarks(said.comment));
       const bool isLast = i + 1 == ends_.size();
+      remarks_ = RemarksOfLines(said.lines);
       statements(item, ends_[i], isLast, body);
       item = ends_[i];
     }
@@ -207,7 +254,7 @@ class BodyWriter {
 
   void statements(std::size_t from, std::size_t to, bool isLast, std::string& body) {
     const CalleeInterface interface = [this](BlockKey key) { return declared_.interface(key); };
-    const CallContext context{decoded_.items, names_, interface, instance_.get(), targets_};
+    const CallContext context{decoded_.items, names_, interface, instance_.get(), temporary_.get(), targets_};
     for (std::size_t i = from; i < to;) {
       const CodeItem& item = decoded_.items[i];
       // The closing BE says nothing, unless a jump leads there.
@@ -217,19 +264,19 @@ class BodyWriter {
         if (const auto call = recoverCall(context, i, to)) {
           line(item.at, call->lines.front(), body);
           for (std::size_t k = 1; k < call->lines.size(); ++k) line(std::nullopt, call->lines[k], body);
+          remarks_.follow(call->editorLines, body);
           i = call->end;
           continue;
         }
+        remarks_.loseCount(item.b1());
       }
-      if (const std::optional<std::string> access = accessInBlock(i, to)) {
-        line(item.at, *access, body);
-        i += 2;
-        continue;
-      }
+      const auto access = remarks_.keepsNextApart() ? std::nullopt : accessInBlock(i, to);
       const std::optional<std::string> call = item.hasList ? callOf(context, item) : std::nullopt;
-      line(item.at, call ? *call : textOf(item, names_), body);
-      ++i;
+      line(item.at, access ? *access : call ? *call : textOf(item, names_), body);
+      remarks_.follow(1, body);
+      i += access ? 2 : 1;
     }
+    remarks_.rest(body);
     if (!isLast) return;
     for (std::size_t i = to; i < decoded_.items.size(); ++i) {
       if (targets_.contains(decoded_.items[i].at)) line(decoded_.items[i].at, "BE", body);
@@ -264,6 +311,7 @@ class BodyWriter {
   std::set<std::uint32_t> targets_;
   std::map<std::uint32_t, std::string> labels_;
   CodeNames names_;
+  RemarksOfLines remarks_;
   std::shared_ptr<const s7300::Structure> temporary_, instance_, parameters_;
 };
 
@@ -313,7 +361,10 @@ std::vector<BlockSource> sourcesOf(const std::vector<StoredBlock>& blocks, bool 
     if (block.key.kind == BlockKind::Db) {
       source.text += "BEGIN\n";
       const auto structure = declared.types().structure(block.key);
-      if (structure != nullptr && source.damage.empty()) source.text += actualValues(*structure, block.code);
+      if (structure != nullptr && source.damage.empty()) {
+        source.text += actualValues(*structure, block.code);
+        source.image = block.code;
+      }
     }
     source.text += fmt::format("{}\n", endKeywordOf(block.key.kind));
   }

@@ -16,6 +16,7 @@ struct BlockSource {
   std::string text;
   /// The same with blanks in place of all that stands in networks; empty: the text may be shown as it is.
   std::string shown;
+  std::string image;  ///< of a data block: its actual values, byte by byte
   std::size_t networks = 0;
   std::size_t instructions = 0;  ///< machine instructions
   std::string damage;            ///< why no code of it is read, with the byte; empty: it is

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "frontend/mc7/structure_places.hpp"
 #include "frontend/step7/constant_spelling.hpp"
+#include "ir/s7300/any_elements.hpp"
 #include "ir/s7300/declarations.hpp"
 
 namespace rungproof::mc7 {
@@ -55,34 +57,13 @@ PlaceOfItem placeOfAccess(const CodeItem& item) {
   }
 }
 
-Size sizeOfType(const s7300::Type& type) {
-  const std::uint64_t bytes = s7300::sizeOf(type);
-  if (type.kind == TypeKind::Bool) return Size::Bit;
-  return bytes == 1 ? Size::Byte : bytes == 2 ? Size::Word : Size::DWord;
-}
-
-bool isHandedByPointer(const s7300::Type& type) {
-  return s7300::isComplex(type) || type.kind == TypeKind::Pointer || type.kind == TypeKind::Any;
-}
-
-std::string_view numberKind(TypeKind kind) {
-  switch (kind) {
-    case TypeKind::Timer: return "T";
-    case TypeKind::Counter: return "C";
-    case TypeKind::BlockDb: return "DB";
-    case TypeKind::BlockFc: return "FC";
-    case TypeKind::BlockFb: return "FB";
-    case TypeKind::BlockSdb: return "SDB";
-    default: return "";
-  }
-}
-
 /// One value that the compiler hands from a place to another.
 struct Transfer {
   std::string source;
   std::string target;
   PlaceOfItem from, to;
-  std::optional<std::uint32_t> constant;  ///< of the source
+  std::optional<std::uint32_t> constant;        ///< of the source
+  std::optional<std::uint32_t> instanceOffset;  ///< the source is a pointer to that bit of the block's own instance
   bool isUsed = false;
 };
 
@@ -155,13 +136,17 @@ class CallFollower {
       } else if (one.is("A") || one.is("L")) {
         const std::optional<std::string> text = placeText(one);
         if (!text) return;
-        open = {*text, {}, placeOfAccess(one), {}, {}};
+        open = {*text, {}, placeOfAccess(one), {}, {}, {}};
         if (one.opcode->form >= Form::Pointer) open.constant = one.opcode->bytes == 6 ? one.dword() : one.word();
         if (one.opcode->form == Form::HexByte) open.constant = one.b1();
         isLoaded = true;
       } else if (one.is("CLR") || one.is("SET")) {
-        open = {one.is("SET") ? "TRUE" : "FALSE", {}, {}, {}, {}};
+        open = {one.is("SET") ? "TRUE" : "FALSE", {}, {}, {}, {}, {}};
         isLoaded = true;
+      } else if (const auto own = ownPlace()) {
+        open = {{}, {}, {}, {}, {}, own->first};
+        isLoaded = true;
+        at_ += own->second - 1;
       } else if ((one.is("=") || one.is("T")) && isLoaded) {
         const std::optional<std::string> text = placeText(one);
         if (!text) return;
@@ -175,6 +160,20 @@ class CallFollower {
       }
       ++at_;
     }
+  }
+
+  /// +AR2 P#16.0; TAR2; LAR2 LD 52: a pointer to data of the block's own instance, with the instructions it takes.
+  std::optional<std::pair<std::uint32_t, std::size_t>> ownPlace() const {
+    const auto isTar2 = [&](std::size_t index) {
+      return index < end_ && context_.items[index].is("TAR2") && context_.items[index].opcode->form == Form::None;
+    };
+    if (!savedAr2_) return std::nullopt;
+    if (isTar2(at_)) return std::pair(0U, std::size_t{1});
+    if (!item().is("+AR2") || item().opcode->form != Form::Offset || !isTar2(at_ + 1) || at_ + 2 >= end_)
+      return std::nullopt;
+    const CodeItem& back = context_.items[at_ + 2];
+    if (!back.is("LAR2") || back.opcode->form != Form::Holder || back.word() != *savedAr2_) return std::nullopt;
+    return std::pair(std::uint32_t{item().word()}, std::size_t{3});
   }
 
   bool isOwnInstance(const CodeItem& item) const {
@@ -227,9 +226,8 @@ class CallFollower {
 
   /// In a function block AR2 is kept around a call that hands pointers over.
   bool function() {
-    std::optional<std::uint32_t> saved;
     if (isNext("TAR2") && item().opcode->form == Form::Holder) {
-      saved = item().word();
+      savedAr2_ = item().word();
       ++at_;
     }
     transfers(before_);
@@ -238,12 +236,14 @@ class CallFollower {
     const bool isOfKind = (call.opcode->operand == "SFC") == (frame_->kind == BlockKind::Sfc);
     if (!isOfKind) return false;
     ++at_;
-    if (saved && (!isNext("LAR2") || item().opcode->form != Form::Holder || item().word() != *saved)) return false;
-    if (saved) ++at_;
+    if (savedAr2_ && (!isNext("LAR2") || item().opcode->form != Form::Holder || item().word() != *savedAr2_))
+      return false;
+    if (savedAr2_) ++at_;
     openDb_.clear();
     transfers(after_);
     std::optional<std::string> text = callText(call, {frame_->kind, numberOf(call)});
     if (!text) return false;
+    result_.editorLines = 1 + static_cast<std::uint32_t>(call.list.size());
     result_.lines.push_back(std::move(*text));
     return true;
   }
@@ -326,32 +326,78 @@ class CallFollower {
     return operandWithLetters(areaLetters(areaL, size, true), size, address);
   }
 
-  /// A POINTER of six or an ANY of ten bytes that the caller has put together from constants.
+  /// A POINTER of six or an ANY of ten bytes that the caller has put together, as what it points to.
   std::optional<std::string> pointerActual(const s7300::Type& type, std::uint32_t address, unsigned area, bool byAr2) {
     const bool isAny = type.kind == TypeKind::Any;
     s7300::Constant constant;
     constant.kind = isAny ? s7300::ConstantKind::Any : s7300::ConstantKind::Pointer;
-    const auto part = [&](Size size, std::uint32_t offset) -> std::optional<std::uint32_t> {
+    const auto part = [&](Size size, std::uint32_t offset) {
       Transfer* const one = transferTo(before_, area, byAr2, size, address + offset * 8);
-      if (one == nullptr || !one->constant) return std::nullopt;
-      one->isUsed = true;
-      return one->constant;
+      if (one != nullptr) one->isUsed = true;
+      return one;
     };
     std::uint32_t at = 0;
     if (isAny) {
-      const auto head = part(Size::Word, 0), count = part(Size::Word, 2);
-      if (!head || !count || *head >> 8 != 0x10) return std::nullopt;
-      constant.anyType = static_cast<std::uint8_t>(*head);
-      constant.anyCount = static_cast<std::uint16_t>(*count);
+      const Transfer *const head = part(Size::Word, 0), *const count = part(Size::Word, 2);
+      if (head == nullptr && count == nullptr && area == areaL) return ownPointer(address);
+      const bool isWhole = head != nullptr && count != nullptr && head->constant && count->constant;
+      if (!isWhole || *head->constant >> 8 != 0x10) return std::nullopt;
+      constant.anyType = static_cast<std::uint8_t>(*head->constant);
+      constant.anyCount = static_cast<std::uint16_t>(*count->constant);
       at = 4;
     }
-    const auto block = part(Size::Word, at), pointer = part(Size::DWord, at + 2);
-    if (!block || !pointer || (*pointer & 0x80000000U) == 0) return std::nullopt;
-    constant.block = static_cast<std::uint16_t>(*block);
-    constant.value = *pointer;
-    const unsigned pointed = *pointer >> 24 & 7U;
-    if ((constant.block != 0) != (pointed == areaDb) || pointed > areaDb) return std::nullopt;
+    const Transfer *const block = part(Size::Word, at), *const pointer = part(Size::DWord, at + 2);
+    if (block == nullptr || pointer == nullptr) return std::nullopt;
+    if (pointer->instanceOffset) return ownData(type, constant, block->source, *pointer->instanceOffset);
+    if (!block->constant || !pointer->constant || (*pointer->constant & 0x80000000U) == 0) return std::nullopt;
+    constant.block = static_cast<std::uint16_t>(*block->constant);
+    constant.value = *pointer->constant;
+    const unsigned pointed = *pointer->constant >> 24 & 7U;
+    constexpr unsigned callersLocal = 7;
+    if (constant.block != 0) return pointed == areaDb ? std::optional(step7::spellingOf(constant)) : std::nullopt;
+    if (pointed == callersLocal) return localData(type, constant);
+    // Without a number a DBX or DIX means the block that is open.
+    const bool isInOpenBlock = pointed == areaDb || pointed == areaDi;
+    if (pointed == areaL || (isInOpenBlock && s7300::isComplex(type))) return std::nullopt;
     return step7::spellingOf(constant);
+  }
+
+  /// Whether a pointer to a part is what the compiler makes for the parameter.
+  static bool isPointedPart(const s7300::Type& formal, const s7300::Constant& pointer, const s7300::Type& part) {
+    if (formal.kind == TypeKind::Any)
+      return anyElementsOf(part) == s7300::AnyElements{static_cast<AnyType>(pointer.anyType), pointer.anyCount};
+    if (formal.kind == TypeKind::Pointer) return true;
+    return formal.kind == TypeKind::String ? part.kind == TypeKind::String : isSameType(formal, part);
+  }
+
+  /// A variable of type ANY that the block has filled itself.
+  std::optional<std::string> ownPointer(std::uint32_t address) const {
+    if (context_.temporary == nullptr || address % 8 != 0) return std::nullopt;
+    const auto name =
+        partAt(*context_.temporary, address / 8, [](const s7300::Type& part) { return part.kind == TypeKind::Any; });
+    return name ? std::optional("#" + *name) : std::nullopt;
+  }
+
+  /// Local data of the block itself, by name where a part of the type begins there.
+  std::optional<std::string> localData(const s7300::Type& formal, s7300::Constant pointer) const {
+    const auto bits = static_cast<std::uint32_t>(pointer.value) & 0x7FFFFU;
+    if (context_.temporary != nullptr && bits % 8 == 0) {
+      const auto isPart = [&](const s7300::Type& part) { return isPointedPart(formal, pointer, part); };
+      if (const auto name = partAt(*context_.temporary, bits / 8, isPart)) return "#" + *name;
+    }
+    pointer.value = 0x80000000U | areaL << 24 | bits;
+    return step7::spellingOf(pointer);
+  }
+
+  /// Data of the block's own instance, whose number stands in the register that `block` names.
+  std::optional<std::string> ownData(const s7300::Type& formal, const s7300::Constant& pointer, std::string_view block,
+                                     std::uint32_t bits) const {
+    const bool isFunction = frame_->shape == CallShape::Function;
+    const bool isOwn = block == (isFunction ? "DINO" : "DBNO") && (!isFunction || openDi_.empty());
+    if (!isOwn || context_.instance == nullptr || bits % 8 != 0) return std::nullopt;
+    const auto isPart = [&](const s7300::Type& part) { return isPointedPart(formal, pointer, part); };
+    const auto name = partAt(*context_.instance, bits / 8, isPart);
+    return name ? std::optional("#" + *name) : std::nullopt;
   }
 
   // Blocks with instances -------------------------------------------------------------------------------------------
@@ -378,7 +424,7 @@ class CallFollower {
     if (!isMulti) instanceBlock_ = openDi_ = fmt::format("DB{}", numberOf(item()));
     ++at_;
     if (!isNext("TAR2") || item().opcode->form != Form::Holder) return false;
-    const std::uint32_t saved = item().word();
+    savedAr2_ = item().word();
     ++at_;
     transfers(before_);
     std::uint32_t offset = 0;
@@ -393,7 +439,7 @@ class CallFollower {
       return false;
     const BlockKey key{frame_->kind, numberOf(item())};
     ++at_;
-    if (!isNext("LAR2") || item().opcode->form != Form::Holder || item().word() != saved) return false;
+    if (!isNext("LAR2") || item().opcode->form != Form::Holder || item().word() != *savedAr2_) return false;
     ++at_;
     openDi_ = instanceBlock_;
     transfers(after_);
@@ -417,6 +463,7 @@ class CallFollower {
     bool isFirst = true;
     for (const Field& formal : interface->fields) {
       if (formal.section > step7::Section::InOut) continue;
+      ++result_.editorLines;
       const std::uint32_t address = offset + formal.byte * 8 + formal.bit;
       const std::optional<std::string> actual = instanceActual(formal, address, isMulti);
       if (!actual) return false;
@@ -459,57 +506,12 @@ class CallFollower {
   std::size_t begin_ = at_;
   const FrameRow* frame_ = &callFrames[0];
   std::string openDb_, openDi_, instanceBlock_;
+  std::optional<std::uint32_t> savedAr2_;  ///< double word of local data that keeps AR2 during the call
   std::vector<Transfer> before_, after_;
   RecoveredCall result_;
 };
 
-std::optional<std::string> pathInType(const s7300::Type& type, Size size, std::uint32_t byte, unsigned bit) {
-  if (type.kind == TypeKind::Struct) {
-    if (type.structure == nullptr) return std::nullopt;
-    const auto inner = pathAt(*type.structure, size, byte, bit);
-    return inner ? std::optional("." + *inner) : std::nullopt;
-  }
-  if (type.kind != TypeKind::Array || type.element == nullptr || type.bounds.size() != 1)
-    return byte == 0 && bit == 0 && !s7300::isComplex(type) && !isHandedByPointer(type) && sizeOfType(type) == size &&
-                   numberKind(type.kind).empty()
-               ? std::optional(std::string())
-               : std::nullopt;
-  const bool ofBits = type.element->kind == TypeKind::Bool;
-  const std::uint64_t element = std::max<std::uint64_t>(1, s7300::sizeOf(*type.element));
-  const std::uint64_t stride =
-      element > 1 && element % 2 != 0 && s7300::startsEven(*type.element) ? element + 1 : element;
-  const std::uint64_t index = ofBits ? byte * 8ULL + bit : byte / stride;
-  if (index >= type.bounds[0].count()) return std::nullopt;
-  const auto inner = ofBits ? pathInType(*type.element, size, 0, 0)
-                            : pathInType(*type.element, size, static_cast<std::uint32_t>(byte % stride), bit);
-  if (!inner) return std::nullopt;
-  return fmt::format("[{}]{}", type.bounds[0].first + static_cast<std::int64_t>(index), *inner);
-}
-
 }  // namespace
-
-std::optional<std::string> pathAt(const Structure& structure, Size size, std::uint32_t byte, unsigned bit) {
-  for (const Field& field : structure.fields) {
-    if (field.byReference || field.byte > byte) continue;
-    const std::uint64_t length = std::max<std::uint64_t>(1, s7300::sizeOf(field.type));
-    if (byte >= field.byte + length) continue;
-    const std::uint32_t inside = byte - field.byte;
-    if (field.type.kind == TypeKind::Bool) {
-      if (size == Size::Bit && inside == 0 && field.bit == bit) return field.name;
-      continue;
-    }
-    const auto rest = pathInType(field.type, size, inside, bit);
-    if (rest) return field.name + *rest;
-  }
-  return std::nullopt;
-}
-
-const Field* fieldAt(const Structure& structure, std::uint32_t byte, unsigned bit) {
-  for (const Field& field : structure.fields) {
-    if (field.byte == byte && field.bit == bit) return &field;
-  }
-  return nullptr;
-}
 
 bool readsSavedBit(const std::vector<CodeItem>& items, std::uint32_t byte, unsigned bit) {
   constexpr unsigned callersLocal = 7;

@@ -22,8 +22,9 @@ struct CallContext {
   const std::vector<CodeItem>& items;
   const CodeNames& names;
   const CalleeInterface& interface;
-  const s7300::Structure* instance = nullptr;  ///< of the block itself, if it has one
-  const std::set<std::uint32_t>& targets;      ///< offsets to which jumps lead
+  const s7300::Structure* instance = nullptr;   ///< of the block itself, if it has one
+  const s7300::Structure* temporary = nullptr;  ///< its local data; nullptr: their names are not known
+  const std::set<std::uint32_t>& targets;       ///< offsets to which jumps lead
 };
 
 /// Whether some instruction may read the bit of local data that the compiler saves behind the first BLD of a call.
@@ -32,6 +33,7 @@ bool readsSavedBit(const std::vector<CodeItem>& items, std::uint32_t byte, unsig
 struct RecoveredCall {
   std::size_t end = 0;             ///< index of the item behind it
   std::vector<std::string> lines;  ///< statements without semicolon
+  std::uint32_t editorLines = 1;   ///< the editor has one for the call and one for each parameter
 };
 
 /// The call whose first BLD is items[index]; nothing if what follows is not exactly of the compiler's making.
@@ -40,10 +42,5 @@ std::optional<RecoveredCall> recoverCall(const CallContext& context, std::size_t
 /// UC FC and the like with its list as CALL: what it means is the same wherever it stands. Nothing where the callee is
 /// not known, or where an entry has no operand of its own.
 std::optional<std::string> callOf(const CallContext& context, const CodeItem& item);
-
-/// The name of data in a structure that an access of that size at that place reaches whole: "a.b[2]".
-std::optional<std::string> pathAt(const s7300::Structure& structure, Size size, std::uint32_t byte, unsigned bit);
-/// The same of a part of any type that begins there, at the outermost level.
-const s7300::Field* fieldAt(const s7300::Structure& structure, std::uint32_t byte, unsigned bit);
 
 }  // namespace rungproof::mc7

@@ -20,6 +20,7 @@ struct ItemType {
   std::uint8_t startBytes;  ///< of a start value; 0: none
   ConstantKind constant;
 };
+constexpr int deepest = 32;
 constexpr std::uint8_t arrayType = 0x10, structType = 0x11, stringType = 0x13, fbType = 0x15, sfbType = 0x1B;
 constexpr std::array<ItemType, 24> itemTypes = {{{0x01, "BOOL", 1, ConstantKind::Boolean},
                                                  {0x02, "BYTE", 1, ConstantKind::Byte},
@@ -115,21 +116,31 @@ class DeclarationDecoder {
     return low | take() << 8;
   }
 
+  unsigned takeCount() {
+    const unsigned count = take();
+    return count == 0xFF ? takeWord() : count;
+  }
+
+  /// The items of a data block are one structure: the block itself.
   void dataBlock() {
-    std::string fields;
-    int count = 0;
-    while (isFine() && at_ < end_) {
-      unsigned section = 0;
-      const std::string type = item(section, "  ", 0);
-      fields += fmt::format("  STAT{} : {} ;\n", count++, type);
-    }
-    result_.text = "STRUCT\n" + fields + "END_STRUCT ;\n";
+    unsigned section = 0;
+    const bool isWhole = at_ < end_ && byteAt(at_) == structType;
+    const std::string type = isWhole ? item(section, "", 0) : "STRUCT\nEND_STRUCT";
+    if (isFine() && at_ < end_) fail("items stand behind the structure of the block");
+    result_.text = type + " ;\n";
   }
 
   void sections() {
+    result_.text = sectionsText([this] { return at_ < end_; });
+  }
+
+  /// Declarations as long as more of them are there.
+  template <class More>
+  std::string sectionsText(More isMore) {
+    std::string text;
     unsigned open = 0;
     std::array<int, 5> counts{};
-    while (isFine() && at_ < end_) {
+    while (isFine() && isMore()) {
       unsigned section = 0;
       const std::string type = item(section, "  ", 0);
       if (!isFine()) break;
@@ -141,24 +152,23 @@ class DeclarationDecoder {
       }
       const DeclarationSectionRow& row = itemSections[shown - 1];
       if (shown != open) {
-        if (open != 0) result_.text += "END_VAR\n";
-        result_.text += fmt::format("{}\n", row.keyword);
+        if (open != 0) text += "END_VAR\n";
+        text += fmt::format("{}\n", row.keyword);
         open = shown;
       }
       int& count = counts[shown - 1];
       const std::string name = isReturned ? "RET_VAL" : fmt::format("{}{}", row.name, count++);
-      result_.text += fmt::format("  {} : {} ;\n", name, type);
+      text += fmt::format("  {} : {} ;\n", name, type);
     }
-    if (open != 0) result_.text += "END_VAR\n";
+    return open != 0 ? text + "END_VAR\n" : text;
   }
 
   /// The type of the next item as text, with its start value.
   std::string item(unsigned& section, const std::string& indent, int depth) {
-    constexpr int deepest = 32;
     if (depth > deepest) fail("the types are nested too deeply");
     const auto code = static_cast<std::uint8_t>(take());
     if (!isFine()) return {};
-    if (code == fbType || code == sfbType) return instance(code, section, indent, depth);
+    if (code == fbType || code == sfbType) return instance(code, section, depth);
     const ItemType* type = itemTypeOf(code);
     if (type == nullptr) {
       --at_;
@@ -178,11 +188,18 @@ class DeclarationDecoder {
     return std::string(type->name) + (hasStart ? start(*type) : "");
   }
 
-  std::string instance(std::uint8_t code, unsigned& section, const std::string& indent, int depth) {
-    const unsigned number = takeWord();
-    unsigned ignored = 0;
+  std::string instance(std::uint8_t code, unsigned& section, int depth) {
+    const auto number = static_cast<std::uint16_t>(takeWord());
     section = 4;
-    if (isFine() && at_ < end_ && byteAt(at_) == structType) item(ignored, indent, depth + 1);
+    if (isFine() && at_ < end_ && byteAt(at_) == structType) {
+      at_ += 2;
+      unsigned left = takeCount();
+      ++depth_;
+      if (depth + depth_ > deepest) fail("the types are nested too deeply");
+      std::string text = sectionsText([&left] { return left > 0 && left-- > 0; });
+      --depth_;
+      result_.instances.push_back({code == sfbType, number, std::move(text)});
+    }
     return fmt::format("{} {}", code == fbType ? "FB" : "SFB", number);
   }
 
@@ -195,14 +212,38 @@ class DeclarationDecoder {
       bounds += fmt::format("{}{} .. {} ", i > 0 ? ", " : "", low, high);
     }
     unsigned ignored = 0;
-    hasLostStarts_ = hasLostStarts_ || hasStart;
+    const ItemType* type = at_ < end_ ? itemTypeOf(static_cast<std::uint8_t>(byteAt(at_))) : nullptr;
     const std::string element = item(ignored, indent, depth + 1);
-    return fmt::format("ARRAY  [{}] OF {}", bounds, element);
+    return fmt::format("ARRAY  [{}] OF {}{}", bounds, element, hasStart && type != nullptr ? arrayStart(*type) : "");
+  }
+
+  /// Values of an array: the number of groups twice, least byte first and last, then repetition and value of each.
+  std::string arrayStart(const ItemType& type) {
+    constexpr std::size_t headBytes = 4;
+    if (hasLostStarts_ || startAt_ + headBytes > startEnd_) return loseStarts();
+    const std::size_t groups = byteAt(startAt_) | byteAt(startAt_ + 1) << 8;
+    if (groups != (byteAt(startAt_ + 2) << 8 | byteAt(startAt_ + 3))) return loseStarts();
+    startAt_ += headBytes;
+    std::string text;
+    for (std::size_t i = 0; i < groups && !hasLostStarts_; ++i) {
+      if (startAt_ + 2 > startEnd_) return loseStarts();
+      const unsigned repeated = byteAt(startAt_) | byteAt(startAt_ + 1) << 8;
+      startAt_ += 2;
+      const std::string value = type.code == stringType ? stringStart() : start(type);
+      if (value.empty()) return loseStarts();
+      const std::string_view constant = std::string_view(value).substr(std::string_view(" := ").size());
+      text += text.empty() ? " := " : ", ";
+      text += repeated == 1 ? std::string(constant) : fmt::format("{} ({})", repeated, constant);
+    }
+    return text;
+  }
+  std::string loseStarts() {
+    hasLostStarts_ = true;
+    return {};
   }
 
   std::string structure(const std::string& indent, int depth) {
-    unsigned count = take();
-    if (count == 0xFF) count = takeWord();
+    const unsigned count = takeCount();
     std::string text = "STRUCT\n";
     for (unsigned i = 0; i < count && isFine(); ++i) {
       unsigned ignored = 0;
@@ -212,8 +253,7 @@ class DeclarationDecoder {
     return text + indent + "END_STRUCT";
   }
 
-  // Start values stand behind the items, least byte first. How those of arrays are counted is not known: behind one,
-  // no more are told.
+  // Start values stand behind the items, least byte first. Behind one that does not fit, no more are told.
   std::string start(const ItemType& type) {
     if (hasLostStarts_ || type.startBytes == 0) return {};
     if (startAt_ + type.startBytes > startEnd_) {
@@ -247,11 +287,23 @@ class DeclarationDecoder {
   std::string_view bytes_;
   std::size_t at_ = 0, end_ = 0, startAt_ = 0, startEnd_ = 0;
   bool hasLostStarts_ = false;
+  int depth_ = 0;  ///< of instances
   CompiledDeclaration result_;
 };
 
 }  // namespace
 
 CompiledDeclaration readCompiledDeclaration(std::string_view bytes) { return DeclarationDecoder(bytes).read(); }
+
+std::string declaredItems(std::string_view bytes) {
+  constexpr std::size_t headBytes = 7;
+  if (bytes.size() < headBytes) return std::string(bytes);
+  const auto byte = [&](std::size_t at) { return static_cast<std::uint8_t>(bytes[at]); };
+  const auto kind = static_cast<DeclarationKind>(byte(0));
+  const bool isInstance = kind == DeclarationKind::InstanceOfFb || kind == DeclarationKind::InstanceOfSfb;
+  // The number of another block than that of an instance is stale in half of all.
+  const std::string head(bytes.substr(0, isInstance ? 3 : 1));
+  return head + std::string(bytes.substr(headBytes, std::size_t{byte(3)} | std::size_t{byte(4)} << 8));
+}
 
 }  // namespace rungproof::mc7

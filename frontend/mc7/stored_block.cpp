@@ -78,6 +78,26 @@ StoredBlock::NetworkText readTitleRecord(std::string_view record, char mark) {
   return text;
 }
 
+std::vector<StoredBlock::LineText> readLineRecords(std::string_view section) {
+  constexpr std::size_t titleLengthAt = 3, headBytes = 6;
+  constexpr unsigned ofStatement = 0x80, apart = 0x40;
+  std::vector<StoredBlock::LineText> lines;
+  if (section.size() < headBytes) return lines;
+  std::uint32_t line = 0;
+  for (std::size_t at = littleWord(section, titleLengthAt); at + headBytes <= section.size();) {
+    const std::size_t length = static_cast<std::uint8_t>(section[at]);
+    if (at + headBytes + length > section.size()) break;
+    line += littleWord(section, at + 2);
+    const unsigned flags = static_cast<std::uint8_t>(section[at + 4]);
+    const bool isOfStatement = (flags & ofStatement) != 0;
+    std::string text = untilNul(section.substr(at + headBytes, length));
+    if (!text.empty() || isOfStatement)
+      lines.push_back({line, isOfStatement, isOfStatement && (flags & apart) != 0, std::move(text)});
+    at += headBytes + length;
+  }
+  return lines;
+}
+
 std::uint16_t checksumOf(BlockKind kind, std::string_view code) {
   constexpr unsigned polynomial = 0x9003;
   unsigned sum = 0;

@@ -44,14 +44,23 @@ struct StoredBlock {
   std::optional<std::string> declarationText;  ///< UTF-8; nothing: names are lost
 
   std::string title, comment;  ///< of the block, UTF-8
+  /// A comment beside statements, or on a line of its own behind them.
+  struct LineText {
+    std::uint32_t line = 0;      ///< of the network in the editor, where a call has one more for each parameter
+    bool isOfStatement = false;  ///< else: on a line of its own behind that one
+    bool keepsApart = false;     ///< the statement opens a data block and is not one with the access behind it
+    std::string text;            ///< UTF-8
+  };
   struct NetworkText {
     std::string title, comment;
+    std::vector<LineText> lines{};
   };
   std::vector<NetworkText> networkTexts;  ///< UTF-8
   std::vector<std::string> labels;        ///< of the jumps in the order of the table
   std::vector<UsedBlock> used;            ///< by its declaration and its code
 
-  std::string damage;  ///< why its code or data cannot be read; empty: they can
+  std::string damage;             ///< why its code or data cannot be read; empty: they can
+  bool isLostWithOthers = false;  ///< the damage is that of a file, which is told once for all blocks in it
 
   bool isCode() const {
     return key.kind == step7::BlockKind::Ob || key.kind == step7::BlockKind::Fc || key.kind == step7::BlockKind::Fb;
@@ -68,6 +77,8 @@ NetworkTable readNetworkTable(std::string_view table);
 
 /// Title and comment of one section of the comment row: 06, offsets, both texts ended by NUL. `mark`: its first byte.
 StoredBlock::NetworkText readTitleRecord(std::string_view record, char mark);
+/// The comments of lines behind the title of a network's section, texts as they are stored.
+std::vector<StoredBlock::LineText> readLineRecords(std::string_view section);
 
 /// CRC-16 with polynomial 0x9003 over type, length and code.
 std::uint16_t checksumOf(step7::BlockKind kind, std::string_view code);

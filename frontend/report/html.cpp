@@ -23,6 +23,7 @@ class HtmlWriter {
     page_.properties();
     page_.networks();
     page_.selfCheck();
+    if (!report_.blocks.empty()) out_ << "<pre>" << xmlText(comparedBlocksText(report_.blocks)) << "</pre>\n";
     if (report_.comparison) writeComparison(*report_.comparison);
     page_.findings();
     page_.basis();

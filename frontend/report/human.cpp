@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <ostream>
+#include <sstream>
 
 #include "analysis/rule.hpp"
 #include "frontend/report_basis.hpp"
@@ -35,6 +36,8 @@ class HumanWriter {
   void write() {
     for (const Finding& finding : report_.findings) writeFinding(finding);
     for (const PropertyResult& property : report_.properties) writeProperty(property);
+    std::istringstream blocks(comparedBlocksText(report_.blocks));
+    for (std::string line; std::getline(blocks, line);) out_ << messageText(line) << '\n';
     if (report_.comparison) writeComparison(*report_.comparison);
     if (report_.selfCheck) writeSelfCheck(*report_.selfCheck);
     if (report_.tests != nullptr) out_ << testText(*report_.tests, paint_, style_.quiet);

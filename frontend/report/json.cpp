@@ -116,6 +116,19 @@ Json programsJson(const Comparison& comparison, const std::vector<std::string>& 
   return json;
 }
 
+Json blocksJson(const std::vector<ComparedBlock>& blocks) {
+  Json rows = Json::array();
+  for (const ComparedBlock& block : blocks) {
+    rows.push_back({{"block", block.name},
+                    {"likeness", likenessName(block.likeness)},
+                    {"checksum", block.checksum.empty() ? Json(nullptr) : Json(block.checksum)},
+                    {"networks", block.networks},
+                    {"values", block.values},
+                    {"why", block.why.empty() ? Json(nullptr) : Json(block.why)}});
+  }
+  return rows;
+}
+
 Json comparisonJson(const std::optional<Comparison>& comparison, const std::vector<std::string>& assumptions) {
   if (!comparison) return nullptr;
   const bool isOfPrograms = comparison->isOfPrograms();
@@ -151,6 +164,7 @@ void write(const Report& report, const ReportStyle& style, std::ostream& out) {
     if (report.tests->kills) json["kills"] = selfCheckJson(*report.tests->kills);
   }
   json["comparison"] = comparisonJson(report.comparison, report.assumptions);
+  if (!report.blocks.empty()) json["blocks"] = blocksJson(report.blocks);
   json["coverage"] = {{"instructions", report.coverage.instructions},
                       {"understood", report.coverage.understood},
                       {"approximated", report.coverage.approximated}};

@@ -62,6 +62,10 @@ class ContainerReader {
       if (const auto id = parts_->number(i, "OBJECTID")) ofBlock_[*id].push_back(i);
     }
     for (std::size_t row = 0; row < rows->rows(); ++row) block(*rows, row);
+    if (parts_->lacksMemos() && !result_.blocks.empty())
+      result_.faults.push_back(
+          fmt::format("{}/SUBBLK.DBT: it is missing, so {} blocks have no code, names and comments", folder_,
+                      result_.blocks.size()));
     return std::move(result_);
   }
 
@@ -114,6 +118,7 @@ class ContainerReader {
     }
     if (!hasCode && (block.isCode() || block.key.kind == BlockKind::Db))
       block.damage = "no row of SUBBLK.DBF holds its code";
+    block.isLostWithOthers = parts_->lacksMemos();
     result_.blocks.push_back(std::move(block));
   }
 
@@ -153,13 +158,15 @@ class ContainerReader {
     if (sum != 0 && block.isCode()) block.checksum = static_cast<std::uint16_t>(sum << 8 | sum >> 8);
   }
 
+  void lose(std::string_view what, const StoredBlock& block, const std::string& fault) {
+    if (!parts_->lacksMemos())
+      result_.faults.push_back(fmt::format("{}: its {} are lost: {}", toString(block.key), what, fault));
+  }
+
   void declaration(std::size_t part, StoredBlock& block) {
     std::string fault;
     const std::string bytes = memo(part, "MC5CODE", "MC5LEN", fault);
-    if (!fault.empty()) {
-      result_.faults.push_back(fmt::format("{}: its names are lost: {}", toString(block.key), fault));
-      return;
-    }
+    if (!fault.empty()) return lose("names", block, fault);
     if (!bytes.empty()) block.declarationText = text_(bytes.substr(0, bytes.find('\0')));
   }
 
@@ -167,10 +174,7 @@ class ContainerReader {
     std::string fault;
     const std::string texts = memo(part, "MC5CODE", "MC5LEN", fault), head = memo(part, "SSBPART", "SSBLEN", fault),
                       table = memo(part, "ADDINFO", "ADDLEN", fault);
-    if (!fault.empty()) {
-      result_.faults.push_back(fmt::format("{}: its comments are lost: {}", toString(block.key), fault));
-      return;
-    }
+    if (!fault.empty()) return lose("comments", block, fault);
     const StoredBlock::NetworkText ofBlock = mc7::readTitleRecord(head, 3);
     block.title = text_(ofBlock.title);
     block.comment = text_(ofBlock.comment);
@@ -180,8 +184,10 @@ class ContainerReader {
     for (std::size_t i = 0; i < networks && at + 2 <= table.size(); ++i, at += 2) {
       const std::size_t length = containerWord(table, at);
       if (section > texts.size()) break;
-      const StoredBlock::NetworkText network = mc7::readTitleRecord(std::string_view(texts).substr(section, length), 6);
-      block.networkTexts.push_back({text_(network.title), text_(network.comment)});
+      const std::string_view record = std::string_view(texts).substr(section, length);
+      const StoredBlock::NetworkText network = mc7::readTitleRecord(record, 6);
+      block.networkTexts.push_back({text_(network.title), text_(network.comment), mc7::readLineRecords(record)});
+      for (StoredBlock::LineText& line : block.networkTexts.back().lines) line.text = text_(line.text);
       section += length;
     }
     if (at + 2 > table.size()) return;
@@ -194,7 +200,7 @@ class ContainerReader {
     }
   }
 
-  /// FB20,<12 bytes>; with two time stamps, which may hold any byte.
+  /// FB20,<12 bytes>; with two time stamps, first that of the interface, which may hold any byte.
   void used(std::size_t part, StoredBlock& block) {
     std::string fault;
     for (const std::string& list : {memo(part, "MC5CODE", "MC5LEN", fault), memo(part, "ADDINFO", "ADDLEN", fault)}) {
@@ -210,7 +216,7 @@ class ContainerReader {
           if (name.substr(0, letters) != step7::blockKindName(kind)) continue;
           std::uint32_t number = 0;
           for (const char c : name.substr(letters)) number = number * 10 + static_cast<std::uint32_t>(c - '0');
-          block.used.push_back({{kind, number}, mc7::timeStampOf(std::string_view(list).substr(comma + 7, 6))});
+          block.used.push_back({{kind, number}, mc7::timeStampOf(std::string_view(list).substr(comma + 1, 6))});
         }
         at = comma + 1 + stampBytes;
         if (at < list.size() && list[at] == ';') ++at;

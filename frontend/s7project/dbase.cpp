@@ -65,6 +65,11 @@ const DbaseTable::Field* DbaseTable::find(std::string_view name) const {
   return found == fields_.end() ? nullptr : &*found;
 }
 
+bool DbaseTable::lacksMemos() const {
+  return !memos_ &&
+         std::ranges::any_of(fields_, [](const Field& field) { return field.type == 'M' || field.type == 'B'; });
+}
+
 std::string_view DbaseTable::raw(std::size_t row, std::string_view name) const {
   const Field* field = find(name);
   if (field == nullptr) return {};

@@ -20,6 +20,8 @@ class DbaseTable {
   /// Number of the record in the file, counted from 1.
   std::size_t record(std::size_t row) const { return live_[row] + 1; }
   bool has(std::string_view field) const { return find(field) != nullptr; }
+  /// Whether it has memos and the file that holds them is missing.
+  bool lacksMemos() const;
 
   /// The field's bytes as they lie there; empty if there is no such field.
   std::string_view raw(std::size_t row, std::string_view field) const;

@@ -8,6 +8,8 @@
 #include "analysis/flow/access_index.hpp"
 #include "analysis/unread/idle_blocks.hpp"
 #include "engine/trace.hpp"
+#include "frontend/input/project_argument.hpp"
+#include "frontend/sides/block_comparison.hpp"
 #include "frontend/sides/map_file.hpp"
 #include "frontend/sides/variable_pairs.hpp"
 #include "frontend/simulation/trace_file.hpp"
@@ -184,6 +186,14 @@ std::optional<Operand> observedNamed(const Sides& sides, const std::string& text
   return there ? sides.pairs.before(*there) : std::nullopt;
 }
 
+/// Gives data blocks of both programs the values that they have in OLD, as far as they have the same length.
+void takeValues(const Program& before, Program& after) {
+  for (DataBlock& block : after.dataBlocks) {
+    const auto old = std::ranges::find(before.dataBlocks, block.number, &DataBlock::number);
+    if (old != before.dataBlocks.end() && old->bytes.size() == block.bytes.size()) block.bytes = old->bytes;
+  }
+}
+
 /// What constrains runs; what is to be proved of one program is no part of a comparison.
 void keepAssumptions(PropertySet& set) {
   std::erase_if(set.properties, [](const Property& property) { return property.isGoal(); });
@@ -212,6 +222,8 @@ void SideArguments::declare(ArgumentTable& table) {
   table.argument("NEW", after, "the program that it is compared with");
   table.option("--with", with, "SIDE:FILE", "one more file of a side, as old:symbols.sdf; may be repeated");
   table.flag("--as-downloaded", asDownloaded, asDownloadedHelp);
+  table.word("--values", values, {"own", "old"}, "own|old",
+             "old: data blocks of both programs begin with the values that they have in OLD");
   table.option("--map", map, "FILE", "addresses that stand for each other: OLD-address = NEW-address, one pair a line");
   table.list("--observe", observed, "ADDRESS", "compare these addresses of OLD instead of all outputs");
   table.option("--props", properties, "FILE",
@@ -233,6 +245,9 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
   }
   sides.before = readSide(context.side(ProgramSide::Old), sides.filesBefore);
   sides.after = readSide(context.side(ProgramSide::New), sides.filesAfter);
+  sides.storedBefore = storedBlocksOf(sides.filesBefore, context.side(ProgramSide::Old));
+  sides.storedAfter = storedBlocksOf(sides.filesAfter, context.side(ProgramSide::New));
+  if (arguments.values == "old") takeValues(sides.before.program, sides.after.program);
   const bool hasVariables = isIec(sides.before.program.target);
   if (hasVariables != isIec(sides.after.program.target))
     failures.push_back({"a program of IEC 61131-3 is compared with one of its own family only", arguments.after,
@@ -276,6 +291,7 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
       return std::ranges::find(sides.leftOutBefore, line) != sides.leftOutBefore.end();
     });
   }
+  sides.blocks = compareBlocks(sides);
   leaveOutIdleBlocks(sides);
   sides.unreadBefore = std::make_unique<UnreadCode>(sides.before.program, context.settings.choices());
   sides.unreadAfter = std::make_unique<UnreadCode>(sides.after.program, context.settings.choices());

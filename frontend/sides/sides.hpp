@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "analysis/equivalence/product.hpp"
+#include "frontend/compared_block.hpp"
 #include "frontend/input/program_input.hpp"
+#include "frontend/mc7/stored_block.hpp"
 
 namespace rungproof {
 
@@ -18,6 +20,7 @@ struct SideArguments {
   std::vector<std::string> properties;
   std::string map;
   std::vector<std::string> observed;
+  std::string values = "own";
   bool asDownloaded = false;
 
   void declare(ArgumentTable& table);
@@ -32,7 +35,9 @@ struct Sides {
   Side oldSide() const { return {runBefore.get(), before.properties, unreadBefore.get()}; }
   Side newSide() const { return {runAfter.get(), after.properties, unreadAfter.get()}; }
   std::vector<std::string> filesBefore, filesAfter;
-  std::vector<std::string> leftOutBefore, leftOutAfter;  ///< networks that are not in the download
+  std::vector<mc7::StoredBlock> storedBefore, storedAfter;  ///< of a STEP 7 project, or read out of a CPU
+  std::vector<std::string> leftOutBefore, leftOutAfter;     ///< networks that are not in the download
+  std::vector<ComparedBlock> blocks;                        ///< which of them are the same; empty without stored ones
   AddressPairs pairs;
   Operands observed;                  ///< addresses of OLD
   std::vector<Property> assumptions;  ///< that speak of both programs

@@ -71,7 +71,8 @@ bool isModelledBlock(BlockKey callee) {
 
 std::shared_ptr<const Structure> StatementBinder::parametersOf(BlockKey callee) {
   if (const CatalogueEntry* entry = catalogue_.entry(callee))
-    return callee.kind == BlockKind::Fb ? types_.structure(callee) : types_.parameters(*entry->syntax);
+    return callee.kind == BlockKind::Fb || callee.kind == BlockKind::Sfb ? types_.structure(callee)
+                                                                         : types_.parameters(*entry->syntax);
   const BlockType type = blockTypeOf(irNumber(callee));
   const s7300::LibraryBlock* library = s7300::libraryBlock(type, callee.number);
   return library != nullptr ? s7300::interfaceOf(*library) : nullptr;
@@ -144,6 +145,18 @@ bool StatementBinder::call(const Desc& desc, const Statement& statement) {
                             static_cast<std::uint32_t>(std::stoul(name.substr(name.find(' ') + 1)))};
   }
   const std::string& mnemonic = statement.mnemonic.text;
+  // CALL "Motor_1" of a drawing: an instance by itself, which says whose it is.
+  std::optional<rungproof::Operand> ownInstance;
+  if (target.block && target.block->kind == BlockKind::Db && statement.operand.form == OperandForm::Symbol &&
+      statement.operand.path.empty() && statement.instance.form == OperandForm::None) {
+    const CatalogueEntry* entry = catalogue_.entry(*target.block);
+    if (const auto of = entry != nullptr ? types_.instanceOf(*entry->syntax) : std::nullopt) {
+      ownInstance = target.operand;
+      ownInstance->reach = nullptr;
+      ownInstance->text = statement.operand.name;
+      target.block = of;
+    }
+  }
   if (!target.block || target.block->kind == BlockKind::Db || target.block->kind == BlockKind::Ob ||
       target.block->kind == BlockKind::Udt)
     return refuse(Syntax::Operand7, statement.operand.span, fmt::format("{} takes an FC, FB, SFC or SFB", mnemonic));
@@ -151,6 +164,10 @@ bool StatementBinder::call(const Desc& desc, const Statement& statement) {
   if (actsBeyondParameters(callee) && catalogue_.entry(callee) == nullptr)
     return refuse(Syntax::LibraryBlock, statement.operand.span,
                   fmt::format("what {} does besides its parameters is not modelled", toString(callee)));
+  // Of a system block that a project declares, the interface is known and what it does is not.
+  if (callee.kind == BlockKind::Sfb && catalogue_.entry(callee) != nullptr)
+    return refuse(Syntax::LibraryBlock, statement.operand.span,
+                  fmt::format("what {} does is not modelled", toString(callee)));
   if (isUndescribed(callee)) noteParameters(callee, statement);
   const std::shared_ptr<const Structure> parameters =
       isUndescribed(callee) ? undescribedInterface(callee) : parametersOf(callee);
@@ -187,8 +204,9 @@ bool StatementBinder::call(const Desc& desc, const Statement& statement) {
       return true;
     }
   } else if (isBlockWithInstance) {
-    std::optional<rungproof::Operand> instance =
-        isMultiInstance ? std::optional(target.operand) : instanceOf(statement, callee);
+    std::optional<rungproof::Operand> instance = ownInstance       ? ownInstance
+                                                 : isMultiInstance ? std::optional(target.operand)
+                                                                   : instanceOf(statement, callee);
     if (!instance) return false;
     instance->width = Width::Byte;
     instruction.operands.push_back(std::move(*instance));

@@ -7,12 +7,14 @@
 #include "frontend/step7/constant_spelling.hpp"
 #include "frontend/step7/statement_binder.hpp"
 #include "ir/block_map.hpp"
+#include "ir/s7300/any_elements.hpp"
 #include "ir/s7300/coverage.hpp"
 #include "ir/s7300/declarations.hpp"
 #include "ir/s7300/pointer_code.hpp"
 
 namespace rungproof::step7 {
 
+using s7300::AnyElements;
 using s7300::ConstantKind;
 using s7300::Field;
 using s7300::Type;
@@ -20,53 +22,7 @@ using s7300::TypeKind;
 
 namespace {
 
-struct Elements {
-  AnyType type = AnyType::Void;
-  std::uint64_t count = 1;
-};
-
-AnyType elementaryCode(TypeKind kind) {
-  switch (kind) {
-    case TypeKind::Bool: return AnyType::Bool;
-    case TypeKind::Byte: return AnyType::Byte;
-    case TypeKind::Char: return AnyType::Char;
-    case TypeKind::Word: return AnyType::Word;
-    case TypeKind::Int: return AnyType::Int;
-    case TypeKind::DWord: return AnyType::DWord;
-    case TypeKind::DInt: return AnyType::DInt;
-    case TypeKind::Real: return AnyType::Real;
-    case TypeKind::Date: return AnyType::Date;
-    case TypeKind::TimeOfDay: return AnyType::TimeOfDay;
-    case TypeKind::Time: return AnyType::Time;
-    case TypeKind::S5Time: return AnyType::S5Time;
-    case TypeKind::DateAndTime: return AnyType::DateAndTime;
-    case TypeKind::Timer: return AnyType::Timer;
-    case TypeKind::Counter: return AnyType::Counter;
-    default: return AnyType::Byte;
-  }
-}
-
-/// Bytes of the elements of an array, without what fills it up to an even number.
-std::uint64_t bytesOfArray(const Type& array) {
-  const std::uint64_t last = array.bounds.back().count(), size = s7300::sizeOf(*array.element);
-  std::uint64_t bytes =
-      array.element->kind == TypeKind::Bool ? (last + 7) / 8 : last * (size > 1 ? size + size % 2 : size);
-  for (std::size_t i = 0; i + 1 < array.bounds.size(); ++i) bytes *= array.bounds[i].count();
-  return bytes;
-}
-
-/// Arrays and structures count their bytes, an array of CHAR its characters (002:2249); a STRING its bytes, or itself.
-Elements elementsOf(const Type& type) {
-  if (type.kind == TypeKind::Array && type.element != nullptr) {
-    const bool isText = type.element->kind == TypeKind::Char;
-    return {isText ? AnyType::Char : AnyType::Byte, bytesOfArray(type)};
-  }
-  if (type.kind == TypeKind::Struct) return {AnyType::Byte, s7300::sizeOf(type)};
-  if (type.kind == TypeKind::String) return {AnyType::String, s7300::sizeOf(type)};
-  return {elementaryCode(type.kind), 1};
-}
-
-Elements elementsOf(const rungproof::Operand& operand) {
+AnyElements elementsOf(const rungproof::Operand& operand) {
   if (operand.area == Area::T) return {AnyType::Timer};
   if (operand.area == Area::C) return {AnyType::Counter};
   switch (operand.width) {
@@ -97,7 +53,7 @@ bool hasCertainPlace(const BoundOperand& bound) {
   return hasAddress(bound) && !isTimerOrCounter(bound) && !isOpenBlock;
 }
 
-rungproof::Operand pointerTo(rungproof::Operand place, Elements elements, std::string text) {
+rungproof::Operand pointerTo(rungproof::Operand place, AnyElements elements, std::string text) {
   rungproof::Operand operand = place;
   Reach reach{};
   reach.way = Way::PointerTo;
@@ -119,7 +75,7 @@ rungproof::Operand ofConstant(const Constant& constant) {
   static constexpr Area areas[] = {Area::PI, Area::I, Area::Q, Area::M, Area::DB, Area::DB, Area::L, Area::L};
   rungproof::Operand place = direct(areas[static_cast<std::size_t>(code)], Width::Byte, byte, bits & 7U);
   if (code == PointerArea::Db) place.offset = dataByte(constant.block, byte);
-  const Elements elements{static_cast<AnyType>(constant.anyType), constant.anyCount};
+  const AnyElements elements{static_cast<AnyType>(constant.anyType), constant.anyCount};
   if ((code == PointerArea::Db && constant.block == 0) || code == PointerArea::Di) {  // in the block that is open
     place.kind = OperandKind::Indirect;
     Reach reach{};
@@ -187,7 +143,7 @@ std::optional<rungproof::Operand> StatementBinder::pointerActual(const Argument&
     return fail(Syntax::CallList,
                 fmt::format("{} takes a place in memory: only an ANY can name a timer or a counter", formal.name));
   if (!(mayBeValue ? hasCertainPlace(bound) : hasAddress(bound))) return notCovered();
-  const Elements elements = bound.type ? elementsOf(*bound.type) : elementsOf(bound.operand);
+  const AnyElements elements = bound.type ? s7300::anyElementsOf(*bound.type) : elementsOf(bound.operand);
   constexpr std::uint64_t mostElements = 65535;
   if (elements.count > mostElements) return notCovered();
   std::string text = bound.operand.text;

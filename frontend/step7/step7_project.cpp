@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 
 #include "frontend/step7/library_source.hpp"
 #include "frontend/step7/mnemonic_vote.hpp"
@@ -166,6 +167,7 @@ class ProjectBuilder {
       const MnemonicSet set = pending.set.value_or(vote.of(i));
       sets_[pending.file] = set;
       if (pending.hidden) hidden_.insert(pending.file);
+      if (pending.image) images_[pending.file] = pending.image;
       sources_.push_back(readSource(texts[i], {set, pending.encoding}, sink));
       const bool isText = !pending.set.has_value();  // and not statements that were decoded
       if (isText) checkSource(sources_.back(), texts[i], declarations_->sourceFaults);
@@ -180,6 +182,13 @@ class ProjectBuilder {
     }
     sources_.insert(sources_.end(), project.drawn.begin(), project.drawn.end());
     symbols_.insert(symbols_.end(), project.drawnSymbols.begin(), project.drawnSymbols.end());
+    const auto nameTitle = [&](std::string& title) {
+      if (const auto text = project.texts.find(title); text != project.texts.end()) title = text->second;
+    };
+    for (BlockSyntax& block : sources_ | std::views::transform(&SourceSyntax::blocks) | std::views::join) {
+      nameTitle(block.title);
+      for (NetworkSyntax& network : block.networks) nameTitle(network.title);
+    }
   }
 
   /// Tables are written in the mnemonics of the machine that exported them.
@@ -225,6 +234,8 @@ class ProjectBuilder {
     block.bytes = s7300::initialBytes(*structure);
     if (!types_->isOpaque(entry.key))
       for (const Assignment& assignment : syntax.assignments) assign(entry, *structure, assignment, block.bytes);
+    if (const auto image = images_.find(syntax.heading.file); image != images_.end())
+      takeImage(*image->second, block.bytes);
     if (const std::optional<BlockKey> instance = types_->instanceOf(syntax)) block.instanceOf = irNumber(*instance);
     block.readOnly = syntax.readOnly;
     block.unlinked = syntax.unlinked;
@@ -233,6 +244,12 @@ class ProjectBuilder {
     declarations_->dataBlocks[number] = structure;
     if (!block.name.empty()) declarations_->dataBlockNames[s7300::foldedName(block.name)] = number;
     program_.dataBlocks.push_back(std::move(block));
+  }
+
+  /// The bytes that are stored, which may lack or have one that fills the block up.
+  static void takeImage(std::string_view image, std::vector<std::uint8_t>& bytes) {
+    if (image.size() > bytes.size() + 1 || bytes.size() > image.size() + 1) return;
+    std::copy_n(image.begin(), std::min(image.size(), bytes.size()), bytes.begin());
   }
 
   void assign(const CatalogueEntry& entry, const Structure& structure, const Assignment& assignment,
@@ -440,8 +457,9 @@ class ProjectBuilder {
   const ReadOptions& options_;
   Reports reports_;
   std::vector<SourceSyntax> sources_;
-  std::map<std::uint32_t, MnemonicSet> sets_;  ///< by file
-  std::set<std::uint32_t> hidden_;             ///< files whose statements are shown to nobody
+  std::map<std::uint32_t, MnemonicSet> sets_;                           ///< by file
+  std::set<std::uint32_t> hidden_;                                      ///< files whose statements are shown to nobody
+  std::map<std::uint32_t, std::shared_ptr<const std::string>> images_;  ///< by file
   std::vector<SymbolRow> symbols_;
   std::vector<std::unique_ptr<SourceSyntax>> librarySources_;
   std::optional<BlockCatalogue> catalogue_;

@@ -2,6 +2,7 @@
 // make together, in whatever order they came. Tested by tests/step7/project_test.cpp.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@ struct PendingFile {
   TextEncoding encoding = TextEncoding::Utf8;
   std::optional<MnemonicSet> set{};             ///< known beforehand; nothing: the texts tell
   std::shared_ptr<const std::string> hidden{};  ///< what is read in place of the text of the file, and shown to nobody
+  std::shared_ptr<const std::string> image{};   ///< of a stored data block: its bytes, which count
 };
 
 struct Step7Project {
@@ -28,6 +30,8 @@ struct Step7Project {
   std::vector<SourceSyntax> drawn;            ///< what drawings say, as sources (frontend/flgnet)
   std::vector<SymbolRow> drawnSymbols;        ///< names of their blocks
   std::vector<DrawnInstance> drawnInstances;  ///< data blocks that their calls name
+
+  std::map<std::string, std::string> texts;  ///< titles of drawings by their ids
 
   bool hasBlocks() const { return !sources.empty() || !drawn.empty(); }
 };

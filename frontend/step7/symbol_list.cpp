@@ -113,10 +113,16 @@ std::vector<ListRow> difRows(std::string_view text) {
 
 bool isColumnLine(std::string_view line) { return line.size() > 28 && line.starts_with("126,"); }
 
+/// The separator of a row; what stands between marks, such as a comment, says nothing of it.
 char listSeparator(std::string_view line) {
-  if (line.find('\t') != std::string_view::npos) return '\t';
-  if (line.find(';') != std::string_view::npos) return ';';
-  return line.find(',') != std::string_view::npos ? ',' : '\0';
+  constexpr std::string_view separators = "\t;,";
+  std::size_t best = separators.size();
+  bool isQuoted = false;
+  for (const char c : line) {
+    if (c == '"') isQuoted = !isQuoted;
+    if (!isQuoted) best = std::min(best, separators.find(c));
+  }
+  return best < separators.size() ? separators[best] : '\0';
 }
 
 std::vector<ListRow> rowsOf(std::string_view text) {

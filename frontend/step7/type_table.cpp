@@ -134,7 +134,8 @@ std::optional<BlockKey> TypeTable::instanceOf(const BlockSyntax& block) const {
 bool TypeTable::isOpaque(BlockKey key) const {
   const CatalogueEntry* entry = key.kind == BlockKind::Db ? catalogue_.entry(key) : nullptr;
   const std::optional<BlockKey> of = entry != nullptr ? instanceOf(*entry->syntax) : std::nullopt;
-  return of && of->kind == BlockKind::Sfb && s7300::libraryBlock(BlockType::Sfb, of->number) == nullptr;
+  return of && of->kind == BlockKind::Sfb && s7300::libraryBlock(BlockType::Sfb, of->number) == nullptr &&
+         catalogue_.entry(*of) == nullptr;
 }
 
 void TypeTable::Doubt::add(const Doubt& other) {
@@ -171,7 +172,7 @@ std::shared_ptr<const Structure> TypeTable::make(BlockKey key) {
   const BlockSyntax& block = *entry->syntax;
   if (!block.declarationsRead) doubtType(block.heading);
   auto structure = std::make_shared<Structure>();
-  if (key.kind == BlockKind::Fb) {
+  if (key.kind == BlockKind::Fb || key.kind == BlockKind::Sfb) {
     append(block.declarations, {Section::Input, Section::Output, Section::InOut, Section::Static}, *structure);
     layOutInstance(*structure);
   } else if (isOpaque(key)) {

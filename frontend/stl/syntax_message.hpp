@@ -74,6 +74,7 @@ enum class Syntax : std::uint8_t {
   ProjectLost,
   ProjectDamaged,
   TimeStampConflict,
+  SourceUnlike,
   count
 };
 
@@ -207,6 +208,8 @@ inline constexpr std::array<SyntaxMessage, static_cast<std::size_t>(Syntax::coun
      "the rest was read; a block without readable code counts as an interface, and what depends on it is not covered"},
     {Syntax::TimeStampConflict, "SYN072", "Caller knows another interface of the block", Severity::Warning,
      "STEP 7 calls it a time stamp conflict: open the caller, update the call, save and download it"},
+    {Syntax::SourceUnlike, "SYN073", "Text source of a project is not what its block does", Severity::Note,
+     "the block counts: compile the source again, or generate it anew from the block"},
 }};
 
 constexpr const SyntaxMessage& syntaxMessage(Syntax code) { return syntaxMessages[static_cast<std::size_t>(code)]; }

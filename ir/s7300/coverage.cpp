@@ -25,7 +25,8 @@ constexpr auto gapTable = std::to_array<GapRow>({
     {Gap::ProtectedBlock, "protected blocks", "its statements are in no file"},
     {Gap::HighDataBlock, "data blocks above DB8191", "its number is too high"},
     {Gap::Drawing,
-     "networks of SimaticML with parts that are not known, and in other languages than ladder, FBD and STL",
+     "networks of SimaticML and of `.s7dcl` with parts that are not known, and in other languages than ladder, FBD and "
+     "STL; bodies of sources in SCL",
      "the network is not read"},
 });
 

@@ -41,6 +41,7 @@ std::string textBeside(StoredBlock caller) {
       blockOf({BlockKind::Fc, 9},
               "VAR_INPUT\n TV : S5TIME ;\nEND_VAR\nVAR_IN_OUT\n D : STRUCT\n  a : BOOL ;\n END_STRUCT ;\nEND_VAR\n",
               {}),
+      blockOf({BlockKind::Fc, 10}, "VAR_INPUT\n D : DATE_AND_TIME ;\nEND_VAR\n", {}),
       std::move(caller)};
   return mc7::sourcesOf(blocks, false).back().text;
 }
@@ -78,6 +79,45 @@ TEST(Mc7Calls, AnyAndTimer) {
                          {"BLD 1", "= L 20.0", "L W#16#1002", "T LW 22", "L 10", "T LW 24", "L 9", "T LW 26",
                           "L P#DBX 4.0", "T LD 28", "UC FC 8 {P#V 22.0, DW#16#50000}", "BLD 2"}));
   expectHas(text, "CALL  FC 8 (P := P#DB9.DBX 4.0 BYTE 10, T := T 5) ;");
+}
+
+// Area V in a pointer is the caller's local data: by its name where the type fits, else as P#L.
+TEST(Mc7Calls, LocalDataByPointer) {
+  const std::string declaration =
+      "VAR_TEMP\n i : INT ;\n at : DATE_AND_TIME ;\n s : STRUCT\n  x : DWORD ;\n END_STRUCT ;\n"
+      "END_VAR\n";
+  const std::string date = textBeside(
+      blockOf({BlockKind::Fc, 6}, declaration,
+              {"BLD 1", "= L 20.0", "L 0", "T LW 22", "L P#V 2.0", "T LD 24", "UC FC 10 {P#V 22.0}", "BLD 2"}));
+  expectHas(date, "CALL  FC 10 (D := #at) ;");
+  for (const auto& [bytes, actual] : {std::pair{"L 4", "P := #s,"}, {"L 3", "P := P#L 10.0 BYTE 3,"}}) {
+    const std::string any =
+        textBeside(blockOf({BlockKind::Fc, 6}, declaration,
+                           {"BLD 1", "= L 20.0", "L W#16#1002", "T LW 22", bytes, "T LW 24", "L 0", "T LW 26",
+                            "L P#V 10.0", "T LD 28", "UC FC 8 {P#V 22.0, DW#16#50000}", "BLD 2"}));
+    expectHas(any, actual);
+  }
+}
+
+// Data of the block's own instance: its number is DINO, its place AR2 and an offset.
+TEST(Mc7Calls, OwnInstanceByPointer) {
+  const std::vector<std::string> statements = {
+      "BLD 1",      "= L 20.0", "TAR2 LD 30", "L W#16#1002", "T LW 22",    "L 6",     "T LW 24",
+      "L DINO",     "T LW 26",  "+AR2 P#2.0", "TAR2",        "LAR2 LD 30", "T LD 28", "UC FC 8 {P#V 22.0, DW#16#50000}",
+      "LAR2 LD 30", "BLD 2"};
+  const std::string declaration = "VAR\n n : INT ;\n list : ARRAY [1 .. 6] OF BYTE ;\nEND_VAR\n";
+  expectHas(textBeside(blockOf({BlockKind::Fb, 6}, declaration, statements)), "CALL  FC 8 (P := #list, T := T 5) ;");
+  // Of another block's data the same statements stay what they are.
+  std::vector<std::string> foreign = statements;
+  foreign.insert(foreign.begin() + 7, "OPN DI 4");
+  expectHas(textBeside(blockOf({BlockKind::Fb, 6}, declaration, foreign)), "UC    FC 8 {P#V 22.0, ");
+}
+
+// An ANY that the block has filled itself is handed on by its name.
+TEST(Mc7Calls, OwnAnyIsHandedOn) {
+  const std::string text = textBeside(blockOf({BlockKind::Fc, 6}, "VAR_TEMP\n n : INT ;\n any : ANY ;\nEND_VAR\n",
+                                              {"BLD 1", "= L 20.0", "UC FC 8 {P#V 2.0, DW#16#50000}", "BLD 2"}));
+  expectHas(text, "CALL  FC 8 (P := #any, T := T 5) ;");
 }
 
 // In a function block AR2 is kept around a call that hands a structure over by its pointer. 16#1100 is 100 x 100 ms.
@@ -124,6 +164,30 @@ TEST(Mc7Calls, OtherStatementsStay) {
   for (const char* part :
        {"BLD   1", "=     L 20.0", "INC   1", "CALL  FC 7 (A := I 0.0, B := LW 22, C := MW 4)", "BLD   2"})
     expectHas(text, part);
+}
+
+// Comments stand behind the statements of their lines: a call has a line more for each of its three parameters.
+TEST(Mc7Calls, CommentsOfLines) {
+  StoredBlock block = blockOf(main, "",
+                              {"BLD 1", "= L 20.0", "UC FC 7 {P#I 0.0, P#M 2.0, P#M 4.0}", "BLD 2", "A I 0.1",
+                               "OPN DB 3", "A DBX 1.2", "= Q 0.0"});
+  block.networkTexts = {
+      {"",
+       "",
+       {{2, true, false, "of A"}, {5, true, false, "beside"}, {6, true, true, "opened"}, {8, false, false, "alone"}}}};
+  const std::string text = textBeside(block);
+  expectHas(text, "CALL  FC 7 (A := I 0.0, B := MW 2, C := MW 4) ; //of A\n");
+  expectHas(text, "A     I 0.1 ; //beside\n");
+  expectHas(text, "OPN   DB 3 ; //opened\n      A     DBX 1.2 ;\n      =     Q 0.0 ;\n//alone\n");
+}
+
+// Behind a call whose lines nobody can count, no comment is put beside a statement; none is lost.
+TEST(Mc7Calls, CommentsBehindAnUnknownCall) {
+  StoredBlock block = blockOf(main, "", {"A I 0.1", "BLD 1", "= L 20.0", "UC FC 99 {P#I 0.0}", "BLD 2", "A I 0.2"});
+  block.networkTexts = {{"", "", {{1, true, false, "first"}, {4, true, false, "second"}}}};
+  const std::string text = textBeside(block);
+  expectHas(text, "A     I 0.1 ; //first\n");
+  expectHas(text, "A     I 0.2 ;\n//second\n");
 }
 
 // A callee that nobody knows keeps its list.

@@ -76,6 +76,27 @@ TEST(Mc7Upload, DamageIsFound) {
 }
 
 // IN: INT with start value 5; STAT: STRUCT of BOOL and ARRAY[1..4] OF WORD; FB instance; TEMP: STRING[10].
+// Behind the title: a text of the statement on line 2, one on a line of its own behind line 3, a blank line.
+TEST(Mc7Upload, CommentsOfLinesAreRead) {
+  const std::string section(
+      "\x06\x07\x00\x08\x00\x06\x00\x00"
+      "\x03\x00\x02\x00\x80\x28"
+      "one"
+      "\x03\x00\x01\x00\x00\x28"
+      "two"
+      "\x00\x00\x01\x00\x20\x28",
+      8 + 9 + 9 + 6);
+  const std::vector<mc7::StoredBlock::LineText> lines = mc7::readLineRecords(section);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0].line, 2U);
+  EXPECT_TRUE(lines[0].isOfStatement);
+  EXPECT_EQ(lines[0].text, "one");
+  EXPECT_EQ(lines[1].line, 3U);
+  EXPECT_FALSE(lines[1].isOfStatement);
+  EXPECT_EQ(lines[1].text, "two");
+  EXPECT_TRUE(mc7::readLineRecords(section.substr(0, 12)).empty());
+}
+
 TEST(Mc7Declaration, IsTextOfAllTypes) {
   const std::string items(
       "\x05\x09"                              // INT, IN, with start value
@@ -94,6 +115,29 @@ TEST(Mc7Declaration, IsTextOfAllTypes) {
   for (const char* part : {"IN0 : INT := 5 ;", "STAT0 : STRUCT", "STAT0 : BOOL ;", "ARRAY  [1 .. 4 ] OF WORD",
                            "STAT1 : FB 41 ;", "TEMP0 : STRING [10 ] ;", "RET_VAL : ANY ;"})
     EXPECT_NE(read.text.find(part), std::string::npos) << part << "\n" << read.text;
+}
+
+// Values of an array in groups: three times 7, then 9; the INT behind it has its own. The items of a data block are one
+// structure, which is the block itself.
+TEST(Mc7Declaration, StartValuesOfArrays) {
+  const std::string items("\x11\x04\x02\x10\x0C\x01\x01\x00\x05\x00\x02\x04\x05\x0C", 14);
+  const std::string starts("\x02\x00\x00\x02\x03\x00\x07\x01\x00\x09\x0A\x00", 12);
+  std::string bytes("\x05\x00\x00\x0E\x00\x0C\x00", 7);
+  const mc7::CompiledDeclaration read = mc7::readCompiledDeclaration(bytes + items + starts);
+  EXPECT_EQ(read.fault, "");
+  EXPECT_NE(read.text.find("  STAT0 : ARRAY  [1 .. 5 ] OF BYTE := 3 (B#16#7), B#16#9 ;\n"), std::string::npos)
+      << read.text;
+  EXPECT_NE(read.text.find("  STAT1 : INT := 10 ;\n"), std::string::npos) << read.text;
+  EXPECT_TRUE(read.text.starts_with("STRUCT\n  STAT0")) << read.text;
+}
+
+TEST(Mc7Declaration, KeepsTheInterfacesOfInstances) {
+  const std::string items("\x15\x4D\x00\x11\x04\x02\x01\x01\x05\x02", 10);
+  const mc7::CompiledDeclaration read =
+      mc7::readCompiledDeclaration(std::string("\x01\x00\x00\x0A\x00\x00\x00", 7) + items);
+  ASSERT_EQ(read.instances.size(), 1U);
+  EXPECT_EQ(read.instances[0].number, 77);
+  EXPECT_EQ(read.instances[0].text, "VAR_INPUT\n  IN0 : BOOL ;\nEND_VAR\nVAR_OUTPUT\n  OUT0 : INT ;\nEND_VAR\n");
 }
 
 TEST(Mc7Declaration, SaysWhereItIsDamaged) {

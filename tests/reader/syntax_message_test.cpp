@@ -6,6 +6,7 @@
 #include <set>
 
 #include "frontend/input/stored_reader.hpp"
+#include "frontend/input/text_sources.hpp"
 #include "frontend/step7/symbol_list.hpp"
 #include "tests/reader/read.hpp"
 
@@ -102,6 +103,20 @@ TEST(SyntaxMessages, EveryMessageOccurs) {
   step7::Step7Project sources;
   StoredReader(program, sources).addProgram(stored, "", "Plant.s7p", false);
   collect(program);
+  // A text source with another statement than the block that runs.
+  s7project::S7Project beside;
+  mc7::StoredBlock block;
+  block.key = {step7::BlockKind::Fc, 1};
+  block.code = std::string("\x65\0", 2);
+  s7project::ProjectProgram& own = beside.programs.emplace_back();
+  own.path = "P";
+  own.blocks = {block};
+  own.sources = {{"S", false, "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\nNOT;\nEND_FUNCTION\n"}};
+  Program running;
+  step7::Step7Project running7;
+  StoredReader(running, running7).addProgram(beside, "P", "P", false);
+  step7::buildStep7Project(running, running7, {});
+  for (const Finding& finding : findUnlikeSources(running, beside, "P", Settings())) seen.insert(finding.rule);
   for (const SyntaxMessage& row : syntaxMessages)
     EXPECT_TRUE(seen.count(std::string(row.id)) > 0) << row.id << ' ' << row.title;
 }

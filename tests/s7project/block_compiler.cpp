@@ -85,11 +85,83 @@ class BlockCompiler {
   void data(const step7::CatalogueEntry& entry, StoredBlock& block) {
     const std::optional<BlockKey> instance = types_->instanceOf(*entry.syntax);
     block.declaration = instance ? (instance->kind == BlockKind::Sfb ? "\x0B" : "\x0A") : "\x05";
-    addLittle(block.declaration, instance ? instance->number : entry.key.number);
-    block.declaration.append(4, '\0');
+    const auto structure = types_->structure(instance ? *instance : entry.key);
+    std::string items;
+    if (structure != nullptr && !instance) structureItem(*structure, 4, items);
+    if (structure != nullptr && instance) fieldItems(*structure, items);
+    head(instance ? instance->number : entry.key.number, items, block.declaration);
     for (const DataBlock& data : program_.dataBlocks) {
       if (data.number == entry.key.number) block.code.assign(data.bytes.begin(), data.bytes.end());
     }
+  }
+
+  // Compiled declarations: the items alone, for start values stand in the text and in the image ---------------------
+
+  static void head(std::uint32_t number, const std::string& items, std::string& bytes) {
+    addLittle(bytes, number);
+    addLittle(bytes, static_cast<std::uint32_t>(items.size()));
+    addLittle(bytes, 0);
+    bytes += items;
+  }
+
+  static int sectionOf(const s7300::Field& field) {
+    if (field.name == "RET_VAL") return 6;
+    switch (field.section) {
+      case step7::Section::Input: return 1;
+      case step7::Section::Output: return 2;
+      case step7::Section::InOut: return 3;
+      case step7::Section::Temp: return 5;
+      default: return 4;
+    }
+  }
+
+  static void fieldItems(const s7300::Structure& structure, std::string& items) {
+    for (const s7300::Field& field : structure.fields) typeItem(field.type, sectionOf(field), items);
+  }
+
+  static void structureItem(const s7300::Structure& structure, int section, std::string& items) {
+    items += '\x11';
+    items += static_cast<char>(section);
+    items += static_cast<char>(structure.fields.size());  // fewer than 255 here
+    for (const s7300::Field& field : structure.fields) typeItem(field.type, 4, items);
+  }
+
+  static void typeItem(const s7300::Type& type, int section, std::string& items) {
+    using enum s7300::TypeKind;
+    static const std::map<s7300::TypeKind, int> codes = {
+        {Bool, 1},     {Byte, 2},         {Char, 3},       {Word, 4},     {Int, 5},      {DWord, 6},    {DInt, 7},
+        {Real, 8},     {Date, 9},         {TimeOfDay, 10}, {Time, 11},    {S5Time, 12},  {Pointer, 20}, {Any, 22},
+        {BlockFb, 23}, {DateAndTime, 14}, {BlockFc, 24},   {BlockDb, 25}, {Counter, 28}, {Timer, 29},   {BlockSdb, 26}};
+    if (type.kind == Struct && type.structure != nullptr) {
+      const bool isInstance = type.name.starts_with("FB ") || type.name.starts_with("SFB ");
+      if (!isInstance) return structureItem(*type.structure, section, items);
+      items += type.name.starts_with('S') ? '\x1B' : '\x15';
+      addLittle(items, static_cast<std::uint32_t>(std::stoul(type.name.substr(type.name.find(' ')))));
+      items += "\x11\x04";
+      items += static_cast<char>(type.structure->fields.size());
+      return fieldItems(*type.structure, items);
+    }
+    if (type.kind == Array && type.element != nullptr) {
+      items += '\x10';
+      items += static_cast<char>(section);
+      items += static_cast<char>(type.bounds.size());
+      for (const s7300::Bounds& bounds : type.bounds) {
+        addLittle(items, static_cast<std::uint16_t>(bounds.first));
+        addLittle(items, static_cast<std::uint16_t>(bounds.last));
+      }
+      return typeItem(*type.element, section, items);
+    }
+    items += type.kind == String ? '\x13' : static_cast<char>(codes.at(type.kind));
+    items += static_cast<char>(section);
+    if (type.kind == String) items += static_cast<char>(type.length);
+  }
+
+  void declare(StoredBlock& block) const {
+    std::string items;
+    if (parameters_ != nullptr) fieldItems(*parameters_, items);
+    if (temporary_ != nullptr) fieldItems(*temporary_, items);
+    block.declaration = '\x01';
+    head(key_.number, items, block.declaration);
   }
 
   void code(const step7::CatalogueEntry& entry, StoredBlock& block) {
@@ -114,6 +186,7 @@ class BlockCompiler {
     if (!assembled.fault.empty() && result_.fault.empty())
       result_.fault = fmt::format("{}: {}", toString(key_), assembled.fault);
     block.code = assembled.bytes;
+    declare(block);
     if (assembled.starts.size() == statements_.size()) table(assembled, ends, block);
     block.localBytes = static_cast<std::uint16_t>(scratch7_);
     block.checksum = mc7::checksumOf(key_.kind, block.code);

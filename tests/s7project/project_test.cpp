@@ -151,5 +151,49 @@ TEST(S7Project, TimeStampConflictIsFound) {
   EXPECT_TRUE(run.says("OB1 was compiled with another interface of FB21")) << run.out;
 }
 
+// One finding for a block, however many callers it has.
+TEST(S7Project, CallersOfOneInterfaceAreOneFinding) {
+  const TemporaryFolder folder;
+  test::ProjectPart part = test::plantPart();
+  std::size_t callers = 0;
+  for (mc7::StoredBlock& block : part.blocks) {
+    if (block.key == step7::BlockKey{step7::BlockKind::Fb, 21}) block.interfaceTime = 5000;
+    if (block.key.kind != step7::BlockKind::Fc) continue;
+    block.used = {{{step7::BlockKind::Fb, 21}, 4000}};
+    ++callers;
+  }
+  ASSERT_EQ(callers, 6U);  // FC 1 to FC 6, of which four are named
+  const test::ProgramRun run = test::run({"lint", "--isolated", "--format", "concise", "--select", "SYN072",
+                                          writeFiles(folder, test::writeProject({part}, 1252))});
+  EXPECT_TRUE(run.says("FC1, FC2, FC3, FC4 and 2 more were compiled with another interface of FB21")) << run.out;
+  EXPECT_EQ(run.out.find("SYN072"), run.out.rfind("SYN072")) << run.out;
+}
+
+// The values of a data block count as they are stored, also those that no constant spells: a DATE_AND_TIME of zeros.
+TEST(S7Project, StoredBytesOfADataBlockCount) {
+  const TemporaryFolder folder;
+  test::ProjectPart part;
+  part.blocks = test::compileSource(
+                    "DATA_BLOCK DB 5\nSTRUCT\n at : DATE_AND_TIME ;\n n : INT := 3 ;\nEND_STRUCT ;\n"
+                    "BEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n"
+                    " L DB5.DBD 0;\n T MD 20;\n L DB5.DBW 8;\n T MW 24;\nEND_ORGANIZATION_BLOCK\n")
+                    .blocks;
+  part.blocks.front().code = std::string(9, '\0') + '\x07';
+  const std::string project = writeFiles(folder, test::writeProject({part}, 1252));
+  const std::string properties = folder.file("p.props", "prove date: MD20 == 0\nprove number: MW24 == 7\n");
+  const test::ProgramRun run = test::run({"prove", "--isolated", "--props", properties, project});
+  EXPECT_EQ(run.exit, 0) << run.out << run.err;
+}
+
+// A memo file that is missing is one finding, and not one for each block and part.
+TEST(S7Project, MissingMemoFileIsOneFinding) {
+  const TemporaryFolder folder;
+  std::map<std::string, std::string> files = test::writeProject({test::plantPart()}, 1252);
+  std::erase_if(files, [](const auto& file) { return file.first.ends_with("SUBBLK.DBT"); });
+  const test::ProgramRun run = test::run({"lint", "--isolated", "--format", "concise", writeFiles(folder, files)});
+  EXPECT_TRUE(run.says("SUBBLK.DBT: it is missing, so 20 blocks have no code, names and comments")) << run.out;
+  EXPECT_EQ(run.out.find("SYN071"), run.out.rfind("SYN071")) << run.out;
+}
+
 }  // namespace
 }  // namespace rungproof

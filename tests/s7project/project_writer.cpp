@@ -63,7 +63,7 @@ class ContainerWriter {
     if (!block.used.empty()) {
       std::string list;
       for (const mc7::UsedBlock& used : block.used)
-        list += toString(used.key) + "," + stampBytes(0) + stampBytes(used.interface) + ";";
+        list += toString(used.key) + "," + stampBytes(used.interface) + stampBytes(0) + ";";
       part(block, types.used, list, "", "", isDeleted);
     }
   }
@@ -189,6 +189,25 @@ std::string TableWriter::memos() const {
   return bytes;
 }
 
+namespace {
+
+/// A container of text sources; those that were deleted stay among its rows.
+void writeSources(const std::map<std::string, std::string>& sources, const std::string& folder,
+                  std::map<std::string, std::string>& files) {
+  if (sources.empty()) return;
+  TableWriter rows({{"NAME", 'C', 24}, {"TYPE", 'N', 10}, {"FILENAME", 'C', 12}});
+  int number = 0;
+  for (const auto& [name, text] : sources) {
+    const std::string file = fmt::format("{:08x}.AWL", ++number);
+    rows.add({{"NAME", name}, {"TYPE", "1122309"}, {"FILENAME", file}});
+    rows.add({{"NAME", "old " + name}, {"TYPE", "1122309"}, {"FILENAME", "gone.AWL"}}, true);
+    files[folder + "/" + file] = text;
+  }
+  files[folder + "/S7CONTAI.DBF"] = rows.table();
+}
+
+}  // namespace
+
 std::map<std::string, std::string> writeProject(const std::vector<ProjectPart>& programs, unsigned page,
                                                 const std::string& name) {
   std::map<std::string, std::string> files;
@@ -214,11 +233,14 @@ std::map<std::string, std::string> writeProject(const std::vector<ProjectPart>& 
     addNumber(chain, offset, 4);
     addNumber(chain, 2, 4);
     chain.resize(offset + 0x18);
-    for (const auto& [type, target] : {std::pair<std::uint32_t, std::size_t>{0x113001, list}, {0x116001, container}}) {
+    const std::size_t sources = 3 + i;
+    for (const auto& [type, target] :
+         {std::pair<std::uint32_t, std::size_t>{0x113001, list}, {0x116001, container}, {0x112004, sources}}) {
       addNumber(chain, type, 4);
       addNumber(chain, target, 4);
       chain.resize(chain.size() + 16);
     }
+    writeSources(part.sources, fmt::format("s7asrcom/{:08x}", sources), files);
     ContainerWriter blocks;
     for (const StoredBlock& block : part.deleted) blocks.add(block, true);
     for (const StoredBlock& block : part.blocks) blocks.add(block, false);

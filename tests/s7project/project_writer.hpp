@@ -42,8 +42,9 @@ struct ProjectPart {
     std::string name, address, type, comment;
   };
   std::vector<Symbol> symbols;
-  std::map<unsigned, std::string> dataSets;  ///< of the CPU's parameters
-  std::string cpu;                           ///< empty: no hardware
+  std::map<std::string, std::string> sources;  ///< texts by name, as statement lists
+  std::map<unsigned, std::string> dataSets;    ///< of the CPU's parameters
+  std::string cpu;                             ///< empty: no hardware
   std::string orderNumber;
 };
 

@@ -50,6 +50,13 @@ TEST(SymbolLists, SdfOfStep7) {
             "[BLKMOV=SFC 20:SFC 20:Copy Variables] [Motor on=1/0/4.0:BOOL:] [a.b[c], d=2/2/10.0:INT:x, y]");
 }
 
+// A separator of another form in a comment separates nothing.
+TEST(SymbolLists, SdfWithSeparatorsInItsComment) {
+  EXPECT_EQ(rowsOf("\"Auto                    \",\"M     120.0 \",\"BOOL      \",\"1 auto;0 manual     \"\r\n"
+                   "\"Hand                    \",\"M     120.1 \",\"BOOL      \",\"1\thand, 0 auto      \"\r\n"),
+            "[Auto=2/0/120.0:BOOL:1 auto;0 manual] [Hand=2/0/120.1:BOOL:1\thand, 0 auto]");
+}
+
 TEST(SymbolLists, AscHasFixedColumns) {
   EXPECT_EQ(rowsOf("126,Pumpe ein               E       0.0 BOOL      Taster S1\r\n"
                    "126,Zeit                    T       4   TIMER     \r\n"

@@ -1,0 +1,29 @@
+// Reader of sources in SCL for the S7-300/400: interfaces, data blocks and types; bodies are said to be not covered.
+#include "frontend/step7/scl_source.hpp"
+
+#include "frontend/files/file_reader.hpp"
+#include "frontend/step7/step7_project.hpp"
+#include "frontend/stl/syntax_sink.hpp"
+#include "frontend/xml/xml_text.hpp"
+#include "ir/s7300/dialect.hpp"
+
+namespace rungproof {
+
+namespace {
+
+int rate(const SourceFile& file, const InputText& input, const ReadOptions& options) {
+  if (input.isSymbolFile || looksLikeXml(file.text())) return sureness::None;
+  if (!options.allows(s7300Dialect) && !options.allows(s7400Dialect)) return sureness::None;
+  return step7::looksLikeScl(file.text(), endsInAny(file.name(), {".scl"})) ? sureness::Certain : sureness::None;
+}
+
+void read(Program& program, const InputText& input, const ReadOptions&) {
+  SyntaxSink sink(program, input.file);
+  input.step7->drawn.push_back(step7::readSclSource(program.sources->file(input.file), sink));
+}
+
+}  // namespace
+
+extern const FileReader scl_source{"SCL source", &rate, &read};
+
+}  // namespace rungproof

@@ -1,0 +1,43 @@
+// Sources in SCL: what is not read is said at its block, and everything beside it is read and proved.
+#include "tests/step7/run7.hpp"
+
+namespace rungproof {
+namespace {
+
+using test7::Output;
+
+const char* const scaling =
+    "FUNCTION \"Scale\" : Int\n{ S7_Optimized_Access := 'FALSE' }\nVERSION : 0.1\nVAR_INPUT\n  x : Int;\nEND_VAR\n"
+    "BEGIN\n  // half of it\n  IF #x > 100 THEN\n    #Scale := 100;\n  ELSE\n    #Scale := #x / 2;\n  END_IF;\n"
+    "END_FUNCTION\n\nDATA_BLOCK \"Set\"\nVERSION : 0.1\nSTRUCT\n  limit : Int := "
+    "7;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
+
+// The call may leave any value, the rest is proved.
+TEST(SclSource, BodyIsNotCoveredByName) {
+  const test::TemporaryFolder folder;
+  folder.file("scale.scl", scaling);
+  folder.file("main.awl", test7::block(1,
+                                       "A I 0.0;= Q 0.0;L \"Set\".limit;T MW 20;CALL \"Scale\" (x := 5, RET_VAL := "
+                                       "MW 10);L MW 10;T MW 12"));
+  folder.file("p.prop", "prove same: Q0.0 = I0.0\nprove limit: MW20 == 7\nprove value: MW12 == 2\n");
+  const Output lint = test7::run({"lint", folder.path("scale.scl"), folder.path("main.awl")});
+  EXPECT_TRUE(lint.has("warning[SYN037]: Scale is written in SCL, which is not covered")) << lint.text;
+  EXPECT_FALSE(lint.has("error")) << lint.text;
+  const Output proof =
+      test7::run({"prove", folder.path("scale.scl"), folder.path("main.awl"), "--props", folder.path("p.prop")});
+  EXPECT_FALSE(proof.has("PROVED  value")) << proof.text;
+  EXPECT_TRUE(proof.has("NOT COVERED  value")) << proof.text;
+}
+
+TEST(SclSource, EmptyBodiesAndBlocksOfData) {
+  const test::TemporaryFolder folder;
+  folder.file("x.scl",
+              "FUNCTION_BLOCK \"Nothing\"\nVAR\n  n : Int;\nEND_VAR\nBEGIN\n  // later\nEND_FUNCTION_BLOCK\n"
+              "FUNCTION \"F\" : Void\nBEGIN\n  \"Out\" := TRUE;\nEND_FUNCTION\n");
+  const Output output = test7::run({"lint", folder.path("x.scl")});
+  EXPECT_FALSE(output.has("Nothing is written in SCL")) << output.text;
+  EXPECT_TRUE(output.has("F is written in SCL")) << output.text;
+}
+
+}  // namespace
+}  // namespace rungproof
