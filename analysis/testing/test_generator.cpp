@@ -275,7 +275,8 @@ class Generator {
     const Clock::time_point endOfWalks =
         begin + std::chrono::duration_cast<Clock::duration>(walkShare * std::max(end - begin, Clock::duration{}));
     for (std::size_t round = 0; round < walkRounds && Clock::now() < endOfWalks; ++round) {
-      for (const Pace pace : {Pace::Quick, Pace::Mixed, Pace::Settled}) {
+      for (const Pace pace : {Pace::Quick, Pace::Mixed, Pace::Timed, Pace::Settled}) {
+        if (pace == Pace::Timed && !dependsOnTime(map_.program())) continue;
         for (const Looks looks : {Looks::Middle, Looks::Often}) {
           for (const BenchTest& steps : walks(search_, ++seed, walkCount, walkLength, pace)) {
             if (Clock::now() < endOfWalks) offer(steps, looks);

@@ -2,6 +2,7 @@
 #include "analysis/testing/test_plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <queue>
 #include <random>
@@ -10,6 +11,7 @@ namespace rungproof {
 
 namespace {
 
+constexpr std::array<std::uint64_t, 6> timesBetween{100000, 200000, 300000, 500000, 800000, 1500000};  // us
 constexpr std::size_t mostSteps = 60, fragileCost = 30;
 constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
@@ -110,8 +112,10 @@ std::vector<BenchTest> walks(const BenchSearch& search, std::uint64_t seed, std:
       }
       ++uses[edge];
       test.push_back(search.edges()[edge].step);
-      const bool isQuick = pace == Pace::Quick || (pace == Pace::Mixed && random() % 2 == 0);
+      const bool isQuick = pace == Pace::Quick || (pace != Pace::Settled && random() % 2 == 0);
+      const bool isTimed = pace == Pace::Timed && !isQuick;
       if (isQuick && !test.back().wait.isTime()) test.back().wait = {1, 0};
+      if (isTimed && !test.back().changes.empty()) test.back().wait = {1, timesBetween[random() % timesBetween.size()]};
       at = search.edges()[edge].to;
     }
     if (test.empty()) break;

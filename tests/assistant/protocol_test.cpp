@@ -42,8 +42,8 @@ TEST(AssistantProtocol, ToolsHaveSchemas) {
       EXPECT_FALSE(textAt(property, "description").empty());
     }
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"lint", "check", "prove", "sim", "show", "explain", "xref"}));
-  EXPECT_EQ(textAt(tools, "5/inputSchema/required/0"), "topic");
+  EXPECT_EQ(names, (std::vector<std::string>{"lint", "check", "prove", "sim", "test", "show", "explain", "xref"}));
+  EXPECT_EQ(textAt(tools, "6/inputSchema/required/0"), "topic");
 }
 
 TEST(AssistantProtocol, RefusesWhatItDoesNotKnow) {

@@ -98,7 +98,7 @@ class Measurement {
         play.length = [us](std::uint64_t) { return us; };
         play.stopsAtFailure = false;
         for (std::size_t i = 0; i < test.rows.size(); ++i) play.skews.push_back(static_cast<int>(random() % 5) - 2);
-        Simulator simulator(program_, play.engine);
+        Simulator simulator(program_, engine_);
         for (const TestFailure& failure : playTest(simulator, table_, test, play).failures)
           figures_.failures += test.rows[failure.step].note.starts_with("timing") ? 0 : 1;
       }
@@ -160,7 +160,7 @@ class Measurement {
       play.stopsAtFailure = false;
       play.observer = &recorder;
       play.beforeScan = [&](std::uint64_t) { recorder.beginScan(); };
-      Simulator simulator(program_, play.engine);
+      Simulator simulator(program_, engine_);
       playTest(simulator, table_, test, play);
     }
   }
@@ -174,7 +174,7 @@ class Measurement {
     std::mt19937 random(1);
     const std::size_t most = mostOfRandom * figures_.coverageSteps;
     while (!isCovered(recorder, wanted) && figures_.randomSteps < most) {
-      Simulator simulator(program_);
+      Simulator simulator(program_, engine_);
       simulator.observe(&recorder);
       for (std::size_t step = 0; step < stepsOfRandomTest && figures_.randomSteps < most; ++step) {
         if (isCovered(recorder, wanted)) break;
@@ -196,6 +196,7 @@ class Measurement {
   }
 
   const std::filesystem::path file_;
+  const SimulatorOptions engine_{.choices = test::proverOptions(file_).choices};
   const Questions& questions_;
   std::vector<std::string> options_;
   test::TemporaryFolder folder_;
