@@ -94,6 +94,17 @@ TEST(LargeInput, ColumnsAndNamesAreLookedUpOnce) {
   EXPECT_NE(linted.output.find("the name 'p7' is already taken"), std::string::npos) << linted.output.substr(0, 500);
 }
 
+// Each pair of writers of a bit was looked for along all paths of the block.
+TEST(LargeInput, WritersOfOneBitInALongBlock) {
+  const TemporaryFolder folder;
+  const std::string file =
+      folder.file("p.awl", "ORGANIZATION_BLOCK OB 1\nBEGIN\n" + repeated(200'000, [](std::size_t i) {
+                             return "NETWORK\n A I 0.0;\n = M " + std::to_string(i / 8 % 2000) + "." +
+                                    std::to_string(i % 8) + ";\n";
+                           }) + "END_ORGANIZATION_BLOCK\n");
+  EXPECT_FALSE(execute({"lint", "--isolated", "--quiet", file}).isCut);
+}
+
 // A row of operators is as deep a tree as it is long. No program writes two thousand of them.
 TEST(LargeInput, LongExpressionsOfStructuredTextAreReadOrRefused) {
   const TemporaryFolder folder;
