@@ -37,6 +37,11 @@ bool isStartUpOnly(const Facts& facts, std::uint32_t block) {
 
 bool mayRunInOneScan(const Facts& facts, std::uint32_t a, std::uint32_t b) {
   if (facts.blockOf(a) != facts.blockOf(b)) return true;
+  const auto isInEveryRun = [&](std::uint32_t instruction) {
+    const ExecutionPoint& point = facts.execution().at(instruction);
+    return point.isReachable && !point.isSkipped;
+  };
+  if (isInEveryRun(a) && isInEveryRun(b)) return true;  // without a look at all paths
   return mayRunBoth(facts.flowOf(a), facts.place(a).step, facts.place(b).step);
 }
 

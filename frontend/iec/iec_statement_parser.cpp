@@ -246,8 +246,23 @@ void StatementParser::forStatement(Statement& made) {
   expect("END_FOR");
 }
 
+/// Trees of expressions are walked by recursion: they are as deep as they have operators.
+struct StatementParser::Operators {
+  explicit Operators(StatementParser& parser) : parser(parser), isOutermost(parser.operators_ < 0) {
+    if (isOutermost) parser.operators_ = 0;
+  }
+  ~Operators() {
+    if (isOutermost) parser.operators_ = -1;
+  }
+  Operators(const Operators&) = delete;
+  Operators& operator=(const Operators&) = delete;
+  StatementParser& parser;
+  const bool isOutermost;
+};
+
 ExprPtr StatementParser::expression() {
   Nesting nesting(*this);
+  const Operators operators(*this);
   return binary(0);
 }
 
@@ -262,6 +277,9 @@ ExprPtr StatementParser::binary(int level) {
       if (!op.empty() && is(op)) found = op;
     }
     if (found.empty()) return left;
+    constexpr int mostOperators = 2000;
+    if (++operators_ > mostOperators)
+      fail(fmt::format("an expression has at most {} operators: write it in several statements", mostOperators));
     take();
     ExprPtr made = std::make_unique<Expr>();
     made->kind = ExprKind::Binary;

@@ -56,6 +56,8 @@ class StatementParser : protected ParserCore {
   PathPart indexPart();
 
   int caseDepth_ = 0;
+  struct Operators;
+  int operators_ = -1;  ///< of the expression that is being read; -1: none is
 };
 
 }  // namespace rungproof::iec

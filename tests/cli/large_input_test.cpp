@@ -94,6 +94,35 @@ TEST(LargeInput, ColumnsAndNamesAreLookedUpOnce) {
   EXPECT_NE(linted.output.find("the name 'p7' is already taken"), std::string::npos) << linted.output.substr(0, 500);
 }
 
+// Each pair of writers of a bit was looked for along all paths of the block.
+TEST(LargeInput, WritersOfOneBitInALongBlock) {
+  const TemporaryFolder folder;
+  const std::string file =
+      folder.file("p.awl", "ORGANIZATION_BLOCK OB 1\nBEGIN\n" + repeated(200'000, [](std::size_t i) {
+                             return "NETWORK\n A I 0.0;\n = M " + std::to_string(i / 8 % 2000) + "." +
+                                    std::to_string(i % 8) + ";\n";
+                           }) + "END_ORGANIZATION_BLOCK\n");
+  EXPECT_FALSE(execute({"lint", "--isolated", "--quiet", file}).isCut);
+}
+
+// A row of operators is as deep a tree as it is long. No program writes two thousand of them.
+TEST(LargeInput, LongExpressionsOfStructuredTextAreReadOrRefused) {
+  const TemporaryFolder folder;
+  const auto lint = [&](std::size_t operators, const std::string& begin = "", const std::string& end = "") {
+    const std::string text = begin + "a" + repeated(operators, [](std::size_t) { return " AND a"; }) + end;
+    return run({"lint", "--isolated",
+                folder.file("p.st", "PROGRAM P\nVAR\n  a, q : BOOL;\nEND_VAR\nq := " + text + ";\nEND_PROGRAM\n")});
+  };
+  EXPECT_NE(lint(2000).exit, 2);
+  const ProgramRun chain = lint(100'000);
+  EXPECT_EQ(chain.exit, 2);
+  EXPECT_NE((chain.out + chain.err).find("at most 2000 operators"), std::string::npos) << chain.out << chain.err;
+  std::string begin;
+  for (int level = 0; level < 100; ++level)
+    begin += "(a" + repeated(1000, [](std::size_t) { return " AND a"; }) + " AND ";
+  EXPECT_EQ(lint(0, begin, std::string(100, ')')).exit, 2);
+}
+
 TEST(LargeInput, DeepNestingIsAnAnswerOrARefusal) {
   const TemporaryFolder folder;
   constexpr std::size_t depth = 100'000;
