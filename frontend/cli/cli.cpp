@@ -250,18 +250,23 @@ int runCommand(const Command& command, std::vector<std::string> arguments, const
     applyHardware(inputs, settings);
   } else {
     sides = {settings, settings};
+    const std::vector<std::string>& compared = line.arguments;  // OLD and NEW
+    const auto isProject = [](const std::string& name) { return projectArgument(name) || !projectsIn(name).empty(); };
+    const bool isProjectAmong = std::ranges::any_of(compared, isProject);
     for (const std::size_t i : {0U, 1U}) {
       if (auto failure = readCommandLine(line, sides[i], true, i == 0 ? "old:" : "new:"))
         return failed(streams.err, *failure);
       if (auto failure = sides[i].check()) return failed(streams.err, *failure);
-      if (i >= inputs.size()) continue;
-      if (auto failure = projectFailure({inputs[i]}, sides[i], false)) return failed(streams.err, *failure);
-      applyHardware({inputs[i]}, sides[i]);
+      if (i >= compared.size()) continue;
+      if (isProject(compared[i]) || !isProjectAmong) {
+        if (auto failure = projectFailure({compared[i]}, sides[i], false)) return failed(streams.err, *failure);
+      }
+      applyHardware({compared[i]}, sides[i]);
     }
-    // Blocks out of a CPU tell nothing of its configuration: that of the project counts.
+    // Blocks out of a CPU and sources tell nothing of its configuration: that of the project beside them counts.
     for (const std::size_t i : {0U, 1U}) {
-      if (inputs.size() != 2 || (!projectArgument(inputs[1 - i]) && projectsIn(inputs[1 - i]).empty())) continue;
-      if (areUploads(expandFolders({inputs[i]}))) applyHardware({inputs[1 - i]}, sides[i]);
+      if (compared.size() == 2 && isProject(compared[1 - i]) && !isProject(compared[i]))
+        applyHardware({compared[1 - i]}, sides[i]);
     }
   }
 

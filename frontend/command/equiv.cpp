@@ -172,7 +172,8 @@ Exit run(const Arguments& arguments, Context& context) {
     report.comparison.emplace();
     report.comparison->verdict = equalityName(Equality::Equal);
     report.comparison->method = "the same machine code";
-    std::erase_if(report.findings, [](const Finding&) { return true; });
+    report.findings.clear();
+    report.coverage.approximated.clear();  // nothing was run
     return finish(context, std::move(report));
   }
   if (sides.unreadBefore->isRefused() || sides.unreadAfter->isRefused() || !report.findings.empty()) {

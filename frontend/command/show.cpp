@@ -151,8 +151,14 @@ class Show {
     if (!failures_.empty()) return failAll(context_, failures_);
     if (arguments_.list) return showTree();
     std::vector<BlockView> blocks;
+    std::string text;
     bool isWhole = true;
-    for (const std::vector<std::string>& files : groupByProgram(context_, arguments_.files)) {
+    const std::vector<std::vector<std::string>> programs = groupByProgram(context_, arguments_.files);
+    const bool hasHeadings =
+        !isSvg_ && programs.size() > 1 && std::ranges::all_of(programs, [](const std::vector<std::string>& files) {
+          return isProjectProgram(files.front());
+        });
+    for (const std::vector<std::string>& files : programs) {
       const ProgramInput input = readInput(context_, files);
       const UnreadCode unread(input.program);
       isWhole = isWhole && !unread.isRefused();
@@ -162,15 +168,21 @@ class Show {
       else
         addProgram(input, files, blocks);
       if (!failures_.empty()) return failAll(context_, failures_);
+      if (!hasHeadings) continue;
+      text += fmt::format("{}{}\n\n{}", text.empty() ? "" : "\n", files.front(), viewOf(blocks));
+      blocks.clear();
     }
     if (const auto failure = unusedSelection()) return context_.fail(*failure);
-    const std::string text =
-        isSvg_ ? viewSvg(blocks) : viewText(blocks, {arguments_.ascii, context_.color && arguments_.output.empty()});
+    if (!hasHeadings) text = isSvg_ ? viewSvg(blocks) : viewOf(blocks);
     if (!context_.write({"", arguments_.output}, text)) return Exit::Failed;
     return isWhole ? Exit::Clean : Exit::Failed;
   }
 
  private:
+  std::string viewOf(const std::vector<BlockView>& blocks) const {
+    return viewText(blocks, {arguments_.ascii, context_.color && arguments_.output.empty()});
+  }
+
   Exit showTree() {
     std::string text;
     for (const std::string& name : arguments_.files) {

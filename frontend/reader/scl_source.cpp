@@ -14,7 +14,9 @@ namespace {
 int rate(const SourceFile& file, const InputText& input, const ReadOptions& options) {
   if (input.isSymbolFile || looksLikeXml(file.text())) return sureness::None;
   if (!options.allows(s7300Dialect) && !options.allows(s7400Dialect)) return sureness::None;
-  return step7::looksLikeScl(file.text(), endsInAny(file.name(), {".scl"})) ? sureness::Certain : sureness::None;
+  const bool isNamed = endsInAny(file.name(), {".scl"});
+  if (!step7::looksLikeScl(file.text(), isNamed)) return sureness::None;
+  return isNamed ? sureness::Certain + 1 : sureness::Certain;
 }
 
 void read(Program& program, const InputText& input, const ReadOptions&) {

@@ -20,6 +20,7 @@ struct SclBody {
   std::uint32_t block = 0;  ///< where its heading begins
   std::uint32_t begin = 0, end = 0;
   bool hasBegin = false;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sections;  ///< constants and labels, which only bodies use
 };
 
 bool endsCode(std::string_view word) {
@@ -60,9 +61,9 @@ class SclBodies {
     return false;
   }
 
-  void block(std::uint32_t at) {
+  void block(std::uint32_t heading) {
     SclBody body;
-    body.block = at;
+    body.block = heading;
     while (next()) {
       if (endsCode(word_)) {
         body.end = static_cast<std::uint32_t>(cursor_.at() - word_.size());
@@ -70,6 +71,11 @@ class SclBodies {
         bodies_.push_back(body);
         return;
       }
+      const auto at = static_cast<std::uint32_t>(cursor_.at() - word_.size());
+      if (!body.hasBegin && (equalsWord(word_, "CONST") || equalsWord(word_, "LABEL")))
+        body.sections.emplace_back(at, at);
+      if (!body.sections.empty() && (equalsWord(word_, "END_CONST") || equalsWord(word_, "END_LABEL")))
+        body.sections.back().second = cursor_.at();
       const bool isBegin = equalsWord(word_, "BEGIN");
       const bool isSection =
           equalsWord(word_, "END_VAR") || equalsWord(word_, "END_CONST") || equalsWord(word_, "END_LABEL");
@@ -92,6 +98,8 @@ void blankPart(std::string& text, std::uint32_t begin, std::uint32_t end) {
 
 bool looksLikeScl(std::string_view text, bool isNamed) {
   const Step7Likeness likeness = step7Likeness(text);
+  // Data blocks and types alone, too.
+  if (isNamed && (likeness.hasHeading || text.find("END_DATA_BLOCK") != std::string_view::npos)) return true;
   if (!likeness.isStructuredText()) return false;
   const std::vector<SclBody> bodies = SclBodies(text, 0).find();
   return !bodies.empty() && (isNamed || std::ranges::any_of(bodies, &SclBody::hasBegin));
@@ -100,7 +108,10 @@ bool looksLikeScl(std::string_view text, bool isNamed) {
 SourceSyntax readSclSource(const SourceFile& file, SyntaxSink& sink) {
   const std::vector<SclBody> bodies = SclBodies(file.text(), sink.file()).find();
   std::string declared(file.text());
-  for (const SclBody& body : bodies) blankPart(declared, body.begin, body.end);
+  for (const SclBody& body : bodies) {
+    blankPart(declared, body.begin, body.end);
+    for (const auto& [begin, end] : body.sections) blankPart(declared, begin, end);
+  }
   SourceSyntax source = readSource(declared, {MnemonicSet::International, TextEncoding::Utf8}, sink);
   for (BlockSyntax& block : source.blocks) {
     const auto body = std::ranges::find(bodies, block.heading.offset, &SclBody::block);

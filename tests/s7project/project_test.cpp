@@ -117,11 +117,17 @@ TEST(S7Project, SeveralProgramsAreNamed) {
     EXPECT_TRUE(run.says("the project has 2 programs")) << run.err;
     EXPECT_TRUE(run.says("SIMATIC 300(2)/CPU 314/S7 Program(1)")) << run.err;
   }
+  for (const char* command : {"equiv", "diff"}) {
+    const test::ProgramRun run = test::run({command, "--isolated", project, project});
+    EXPECT_EQ(run.exit, 2);
+    EXPECT_TRUE(run.says("the project has 2 programs")) << run.err;
+  }
   const test::ProgramRun named =
       test::run({"show", "--isolated", "--program", "CPU 314/S7 Program(1)", "--no-findings", project});
   EXPECT_EQ(named.exit, 0) << named.err;
   const test::ProgramRun both = test::run({"show", "--isolated", "--no-findings", project});
-  EXPECT_EQ(both.out, named.out + "\n" + named.out) << both.err;
+  const auto headed = [&](const std::string& cpu) { return project + "/" + cpu + "/S7 Program(1)\n\n" + named.out; };
+  EXPECT_EQ(both.out, headed("SIMATIC 300(1)/CPU 315-2 DP") + "\n" + headed("SIMATIC 300(2)/CPU 314")) << both.err;
   const test::ProgramRun wrong = test::run({"lint", "--isolated", "--program", "nobody", project});
   EXPECT_EQ(wrong.exit, 2);
   EXPECT_TRUE(wrong.says("has no program 'nobody'")) << wrong.err;

@@ -29,6 +29,28 @@ TEST(SclSource, BodyIsNotCoveredByName) {
   EXPECT_TRUE(proof.has("NOT COVERED  value")) << proof.text;
 }
 
+// STEP 7 V5: constants and labels of the body in sections of their own, no BEGIN.
+TEST(SclSource, SectionsOfTheBody) {
+  const test::TemporaryFolder folder;
+  folder.file("x.scl",
+              "FUNCTION_BLOCK FB 7\nCONST\n  LIMIT := 5;\nEND_CONST\nLABEL\n  again;\nEND_LABEL\nVAR\n  n : INT;\n"
+              "END_VAR\n  IF n > LIMIT THEN\n    n := 0;\n  END_IF;\nEND_FUNCTION_BLOCK\n");
+  const Output output = test7::run({"lint", folder.path("x.scl")});
+  EXPECT_TRUE(output.has("FB 7 is written in SCL") || output.has("FB7 is written in SCL")) << output.text;
+  EXPECT_FALSE(output.has("error")) << output.text;
+}
+
+// Data alone, with a name that has no marks.
+TEST(SclSource, DataBlockAlone) {
+  const test::TemporaryFolder folder;
+  folder.file("x.scl", "DATA_BLOCK Globals\nSTRUCT\n  state : INT := -1;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n");
+  folder.file("main.awl", test7::block(1, "L \"Globals\".state;T MW 20"));
+  folder.file("p.prop", "prove value: MW20 == -1\n");
+  const Output proof =
+      test7::run({"prove", folder.path("x.scl"), folder.path("main.awl"), "--props", folder.path("p.prop")});
+  EXPECT_EQ(proof.exit, 0) << proof.text;
+}
+
 TEST(SclSource, EmptyBodiesAndBlocksOfData) {
   const test::TemporaryFolder folder;
   folder.file("x.scl",
