@@ -64,8 +64,7 @@ TEST(RobustCheck, EnumeratesWhatPlaysShow) {
     const TestCase test = of.test(steps);
     for (const std::uint32_t us : {1000U, 10000U, 37000U, 100000U}) {
       RobustCheck check(of.program, of.rows.columns(), {{}, us, us, 1});
-      const RobustCells cells = check.full(test, RobustCheck::Clock::now() + std::chrono::seconds(10));
-      EXPECT_TRUE(cells.isProved);
+      const RobustCells cells = check.quick(test);  // of one length: the enumeration alone
       EXPECT_EQ(cells.failing, of.failingInPlays(test, us)) << us << " us, " << steps.size() << " steps";
     }
   }
