@@ -10,7 +10,7 @@ namespace rungproof {
 namespace {
 
 constexpr std::size_t mostStates = 60;  ///< at a border
-constexpr std::size_t randomPlays = 12;
+constexpr std::size_t randomPlays = 12, alwaysTried = 4;
 constexpr std::uint32_t msUs = 1000, phases = 100;         // ms of the slowest time base
 constexpr std::chrono::milliseconds longestOfLength{800};  ///< for one length; then some skews are tried
 constexpr std::uint64_t scansBetweenLooks = 4096;
@@ -71,7 +71,11 @@ bool RobustCheck::enumerate(const TestCase& test, std::uint32_t us, RobustCells&
       std::set<std::size_t> failing;  // so far
       for (std::uint64_t scan = acts; scan <= last; ++scan) {
         simulator.scan({.lengthUs = us});
-        if (!simulator.isRunning() || (++scansMade % scansBetweenLooks == 0 && Clock::now() > latest)) return false;
+        if (!simulator.isRunning()) {
+          cells.stops.insert(i);
+          return false;
+        }
+        if (++scansMade % scansBetweenLooks == 0 && Clock::now() > latest) return false;
         const std::int64_t late = static_cast<std::int64_t>(scan + 1) - static_cast<std::int64_t>(next);
         const bool isBorder = !isLast && late >= -mostSkew;
         // With inputs that act early, the row is compared in front of them.
@@ -105,7 +109,10 @@ void RobustCheck::play(const TestCase& test, ScanLength length, std::vector<int>
   Simulator simulator(program_, options.engine);
   ++runs_;
   for (const TestFailure& failure : playTest(simulator, columns_, test, options).failures) {
-    if (failure.signal) cells.failing[failure.step].insert(*failure.signal);
+    if (failure.signal)
+      cells.failing[failure.step].insert(*failure.signal);
+    else
+      cells.stops.insert(failure.step);
   }
 }
 
@@ -149,7 +156,10 @@ RobustCells RobustCheck::full(const TestCase& test, Clock::time_point end) {
     if (us > options_.lowUs && us < options_.highUs) lengths.push_back(us);
   }
   bool ofFractions = true;
-  for (const std::uint32_t us : lengths) tryLength(test, us, cells, ofFractions);
+  std::size_t tried = 0;
+  for (const std::uint32_t us : lengths) {
+    if (tried++ < alwaysTried || Clock::now() < end) tryLength(test, us, cells, ofFractions);
+  }
   const auto drawn = [&] {
     std::vector<int> skews;
     for (std::size_t i = 0; i < test.rows.size(); ++i)

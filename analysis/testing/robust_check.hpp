@@ -26,6 +26,7 @@ struct RobustOptions {
 
 struct RobustCells {
   std::vector<std::set<std::size_t>> failing;  ///< outputs by row that differ in some run
+  std::set<std::size_t> stops;                 ///< rows in which the CPU stops in some run
   bool isProved = false;                       ///< all skews at every whole millisecond
 };
 

@@ -173,7 +173,7 @@ class Measurement {
 
   /// Steps as somebody takes them who knows only the inputs, until as much is covered as the tests cover.
   void tryAtRandom(const nlohmann::json& wanted) {
-    const TestSignals signals = testSignalsOf(program_, {});
+    const TestSignals signals = testSignalsOf(program_, readProperties(program_, {}, lookupIn(program_)));
     const CoverageMap map(program_);
     countCoverageSteps(map, wanted);
     CoverageRecorder recorder(map);
