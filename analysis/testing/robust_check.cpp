@@ -10,8 +10,8 @@ namespace rungproof {
 namespace {
 
 constexpr std::size_t mostStates = 60;  ///< at a border
-constexpr std::size_t randomPlays = 12;
-constexpr std::uint32_t msUs = 1000;
+constexpr std::size_t randomPlays = 12, alwaysTried = 4;
+constexpr std::uint32_t msUs = 1000, phases = 100;         // ms of the slowest time base
 constexpr std::chrono::milliseconds longestOfLength{800};  ///< for one length; then some skews are tried
 constexpr std::uint64_t scansBetweenLooks = 4096;
 
@@ -71,7 +71,11 @@ bool RobustCheck::enumerate(const TestCase& test, std::uint32_t us, RobustCells&
       std::set<std::size_t> failing;  // so far
       for (std::uint64_t scan = acts; scan <= last; ++scan) {
         simulator.scan({.lengthUs = us});
-        if (!simulator.isRunning() || (++scansMade % scansBetweenLooks == 0 && Clock::now() > latest)) return false;
+        if (!simulator.isRunning()) {
+          cells.stops.insert(i);
+          return false;
+        }
+        if (++scansMade % scansBetweenLooks == 0 && Clock::now() > latest) return false;
         const std::int64_t late = static_cast<std::int64_t>(scan + 1) - static_cast<std::int64_t>(next);
         const bool isBorder = !isLast && late >= -mostSkew;
         // With inputs that act early, the row is compared in front of them.
@@ -94,16 +98,21 @@ bool RobustCheck::enumerate(const TestCase& test, std::uint32_t us, RobustCells&
   return isWhole;
 }
 
-void RobustCheck::play(const TestCase& test, ScanLength length, std::vector<int> skews, RobustCells& cells) {
+void RobustCheck::play(const TestCase& test, ScanLength length, std::vector<int> skews, RobustCells& cells,
+                       std::uint32_t phaseMs) {
   TestPlayOptions options;
   options.engine = options_.engine;
+  options.engine.phaseMs = (options.engine.phaseMs + phaseMs) % phases;
   options.length = std::move(length);
   options.skews = std::move(skews);
   options.stopsAtFailure = false;
-  Simulator simulator(program_, options_.engine);
+  Simulator simulator(program_, options.engine);
   ++runs_;
   for (const TestFailure& failure : playTest(simulator, columns_, test, options).failures) {
-    if (failure.signal) cells.failing[failure.step].insert(*failure.signal);
+    if (failure.signal)
+      cells.failing[failure.step].insert(*failure.signal);
+    else
+      cells.stops.insert(failure.step);
   }
 }
 
@@ -147,7 +156,10 @@ RobustCells RobustCheck::full(const TestCase& test, Clock::time_point end) {
     if (us > options_.lowUs && us < options_.highUs) lengths.push_back(us);
   }
   bool ofFractions = true;
-  for (const std::uint32_t us : lengths) tryLength(test, us, cells, ofFractions);
+  std::size_t tried = 0;
+  for (const std::uint32_t us : lengths) {
+    if (tried++ < alwaysTried || Clock::now() < end) tryLength(test, us, cells, ofFractions);
+  }
   const auto drawn = [&] {
     std::vector<int> skews;
     for (std::size_t i = 0; i < test.rows.size(); ++i)
@@ -155,7 +167,8 @@ RobustCells RobustCheck::full(const TestCase& test, Clock::time_point end) {
     return skews;
   };
   for (std::size_t i = 0; i < randomPlays; ++i)
-    play(test, drawnScanLengths(options_.lowUs, options_.highUs, 1, random_()), drawn(), cells);
+    play(test, drawnScanLengths(options_.lowUs, options_.highUs, 1, random_()), drawn(), cells,
+         static_cast<std::uint32_t>(random_() % phases));
   // From the middle outwards in large steps, so that what was tried when time is over is spread over the range.
   const std::uint32_t first = (options_.lowUs + msUs - 1) / msUs, last = options_.highUs / msUs;
   constexpr std::uint32_t stride = 7;

@@ -3,7 +3,8 @@
 // For one length of scans all skews are enumerated: at each border of two steps up to five scans are possible at which
 // inputs act, and from each state that any of these ways can leave the next step is run once more. States that are
 // equal at the same scan go on as one, so that the work stays a few plays of the test. With every whole millisecond of
-// the range this is a proof for scans of equal length; fractions and lengths that change from scan to scan are tried.
+// the range this is a proof for scans of equal length and time bases that begin with power-on; fractions, lengths that
+// change from scan to scan and other phases are tried.
 // A program with interrupts or devices cannot go on from a kept state: there everything is tried and nothing proved.
 // Covered by tests/tables/robust_check_test.cpp.
 #pragma once
@@ -25,6 +26,7 @@ struct RobustOptions {
 
 struct RobustCells {
   std::vector<std::set<std::size_t>> failing;  ///< outputs by row that differ in some run
+  std::set<std::size_t> stops;                 ///< rows in which the CPU stops in some run
   bool isProved = false;                       ///< all skews at every whole millisecond
 };
 
@@ -45,7 +47,8 @@ class RobustCheck {
 
  private:
   bool enumerate(const TestCase& test, std::uint32_t us, RobustCells& cells);
-  void play(const TestCase& test, ScanLength length, std::vector<int> skews, RobustCells& cells);
+  void play(const TestCase& test, ScanLength length, std::vector<int> skews, RobustCells& cells,
+            std::uint32_t phaseMs = 0);
   void playSkews(const TestCase& test, std::uint32_t us, RobustCells& cells);
   void tryLength(const TestCase& test, std::uint32_t us, RobustCells& cells, bool& isWhole);
   void compare(const TestRow& row, const Concrete::Store& state, std::set<std::size_t>& failing) const;

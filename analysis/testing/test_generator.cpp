@@ -18,7 +18,7 @@ namespace rungproof {
 
 namespace {
 
-constexpr double searchShare = 0.3, proofShare = 0.2;  ///< of the time; proofs may come twice
+constexpr double searchShare = 0.3, proofShare = 0.3, latestProof = 0.6;  ///< of the time
 constexpr double exploreShare = 0.1, faultShare = 0.4, walkShare = 0.6;
 constexpr std::uint64_t longStretchMs = 700;  ///< of a run of the prover, which a bench waits for
 constexpr std::uint64_t sweepScans = 2 * RobustCheck::mostSkew + 2;  ///< contacts come to rest whatever the skews
@@ -83,19 +83,26 @@ class Generator {
   /// What the search has not covered: is there a run at all? Runs become steps at the bench.
   void ask() {
     ProverOptions options = options_.prover;
-    options.total = options_.seconds * proofShare;
-    options.timeout = std::min(options.timeout, options.total);
     // Runs may show half of a pair, whose other half is a goal of its own.
     for (;;) {
       std::vector<CoverageGoal> goals = openGoals(search_.recorder(), options_.measures);
       std::erase_if(goals, [&](const CoverageGoal& goal) { return !asked_.insert(goal).second; });
-      if (goals.empty()) break;
+      if (goals.empty() || !limitProofs(options)) break;
       for (auto& [goal, answer] : askGoals(map_, set_, goals, options)) {
         if (answer.outcome == Outcome::Reachable && answer.witness) followRun(*answer.witness);
         result_.answers[goal] = std::move(answer);
       }
     }
-    if (!options_.changesTogether) askWithOneChange(options);
+    if (!options_.changesTogether && limitProofs(options)) askWithOneChange(options);
+  }
+
+  /// What proofs may take now, on all their threads; false: their time is over.
+  bool limitProofs(ProverOptions& options) const {
+    const double spent = std::chrono::duration<double>(Clock::now() - begin_).count();
+    const double left = std::min(options_.seconds * proofShare, options_.seconds * latestProof - spent);
+    options.total = left / std::max<double>(options_.prover.jobs, 1);
+    options.timeout = std::min(options_.prover.timeout, options.total);
+    return left > 0;
   }
 
   void followRun(const Witness& witness) {
@@ -374,6 +381,10 @@ class Generator {
         const std::size_t ofTime = isTimed(test.rows[row]) ? cells.failing[row].size() : 0;
         result_.timedCells += ofTime;
         (cells.isProved ? result_.provedCells : result_.checkedCells) += expected - ofTime;
+        if (cells.stops.contains(row) && !isTimed(test.rows[row])) {
+          test.rows[row].note = "timing: the CPU stops where inputs come late or scans have another length";
+          ++result_.timingRows;
+        }
         if (names.empty() || isTimed(test.rows[row])) continue;
         test.rows[row].note =
             fmt::format("{} not compared: when it changes depends on the length of scans", fmt::join(names, ", "));

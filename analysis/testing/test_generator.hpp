@@ -20,7 +20,7 @@ struct GeneratorOptions {
   std::uint32_t shownUs = 10000;                ///< scans with which coverage is measured
   std::set<Measure> measures{allMeasures.begin(), allMeasures.end()};
   bool changesTogether = false;  ///< a step may change several inputs
-  double seconds = 20;           ///< for searching and proving
+  double seconds = 18;           ///< of processor time for everything; proofs under way may take a little more
   std::uint64_t seed = 1;
   ProverOptions prover;
 };

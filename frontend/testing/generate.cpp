@@ -143,13 +143,15 @@ std::vector<std::string> basisOf(const GeneratedTests& made, const GeneratorOpti
   if (made.provedCells > 0)
     lines.push_back(fmt::format(
         "{} values to be seen are proved for scans of every whole number of milliseconds from {:g} to {:g} ms, all "
-        "equally long, with inputs up to two scans early or late: every such run was made.",
+        "equally long, with inputs up to two scans early or late: every such run was made (time bases begin with "
+        "power-on).",
         made.provedCells, low, high));
   if (made.checkedCells > 0)
     lines.push_back(fmt::format("{} values to be seen are not proved: not every such run was made, or could be.",
                                 made.checkedCells));
   lines.push_back(fmt::format(
-      "All were tried with scans of fractions of a millisecond and of changing lengths too, {} runs in all.",
+      "All were tried with scans of fractions of a millisecond, of changing lengths and with other phases of the "
+      "timers' time bases too, {} runs in all.",
       made.plays));
   if (made.silentRows > 0)
     lines.push_back(

@@ -25,6 +25,12 @@ namespace {
 constexpr std::size_t mostOfRandom = 40;  ///< times the steps of the generated tests
 constexpr std::size_t stepsOfRandomTest = 60;
 
+SimulatorOptions engineOf(const std::filesystem::path& file) {
+  SimulatorOptions engine;
+  engine.choices = test::proverOptions(file).choices;
+  return engine;
+}
+
 class Measurement {
  public:
   Measurement(const std::filesystem::path& file, const Questions& questions) : file_(file), questions_(questions) {
@@ -167,7 +173,7 @@ class Measurement {
 
   /// Steps as somebody takes them who knows only the inputs, until as much is covered as the tests cover.
   void tryAtRandom(const nlohmann::json& wanted) {
-    const TestSignals signals = testSignalsOf(program_, {});
+    const TestSignals signals = testSignalsOf(program_, readProperties(program_, {}, lookupIn(program_)));
     const CoverageMap map(program_);
     countCoverageSteps(map, wanted);
     CoverageRecorder recorder(map);
@@ -196,7 +202,7 @@ class Measurement {
   }
 
   const std::filesystem::path file_;
-  const SimulatorOptions engine_{.choices = test::proverOptions(file_).choices};
+  const SimulatorOptions engine_ = engineOf(file_);
   const Questions& questions_;
   std::vector<std::string> options_;
   test::TemporaryFolder folder_;
