@@ -162,6 +162,8 @@ class IecLexer {
     if (at_ >= text_.size() || text_[at_] != '#') return token(TokenKind::Word, first);
     const std::string_view prefix = text_.substr(first, at_ - first);
     ++at_;
+    const std::size_t behind = std::min(text_.find_first_not_of(" \t", at_), text_.size());
+    if (behind < text_.size() && isDigitOf(text_[behind])) at_ = behind;  // T# 5s, as generators write it
     const std::size_t value = at_;
     if (at_ < text_.size() && (text_[at_] == '-' || text_[at_] == '+')) ++at_;
     while (at_ < text_.size() && (isNamePart(text_[at_]) || text_[at_] == '#' || isPoint() || isDateMark())) ++at_;

@@ -110,7 +110,7 @@ void Lowering::compareTexts(Scope& scope, const std::string& op, const Expr& lef
   if (op == "<>" || op == "<=" || op == ">=") emit("NOT", {1});
 }
 
-/// CONCAT, LEFT, RIGHT, MID, INSERT, DELETE, REPLACE: put together of joining and cutting.
+/// SEL, CONCAT, LEFT, RIGHT, MID, INSERT, DELETE, REPLACE: put together of joining and cutting.
 Lowering::TextAt Lowering::textFunction(Scope& scope, const std::string& name, const Expr& expr) {
   const std::vector<const Expr*> values = plainArguments(expr, {"IN", "IN1", "IN2", "L", "P"});
   const auto need = [&](std::size_t least, std::size_t most) {
@@ -140,12 +140,25 @@ Lowering::TextAt Lowering::textFunction(Scope& scope, const std::string& name, c
     return made;
   };
   const auto all = [&] { constant(mostTextLength, 32); };
-  const auto one = [&] { constant(1, 32); };
-  const auto sum = [&](std::uint32_t first, std::int64_t more) {
-    load(whole, first);
+  const auto first = [&] { constant(1, 32); };
+  const auto sum = [&](std::uint32_t place, std::int64_t more) {
+    load(whole, place);
     constant(more, 32);
     emit("ADD", {32});
   };
+  if (name == "SEL") {
+    const std::vector<const Expr*> chosen = plainArguments(expr, {"G", "IN0", "IN1"});
+    if (chosen.size() != 3) refuse(expr.span, "the arguments of SEL do not fit");
+    const TextAt zero = text(scope, *chosen[1]), one = text(scope, *chosen[2]);
+    const TextAt made = freshText(std::max(zero.bytes, one.bytes));
+    const int end = newLabel();
+    emitTexts("COPY.TEXT", {zero, made});
+    valueAs(scope, *chosen[0], *elementaryType("BOOL"));
+    jumpIfFalse(end);
+    emitTexts("COPY.TEXT", {one, made});
+    label(end);
+    return made;
+  }
   if (name == "CONCAT") {
     need(2, 64);
     TextAt made = text(scope, *values[0]);
@@ -158,7 +171,7 @@ Lowering::TextAt Lowering::textFunction(Scope& scope, const std::string& name, c
     const std::uint32_t count = number(*values[1]);
     if (name == "LEFT")
       return cut(
-          from, [&] { load(whole, count); }, one);
+          from, [&] { load(whole, count); }, first);
     return cut(
         from, [&] { load(whole, count); }, [&] {  // from 1 on where it has no more
           emitTexts("LEN.TEXT", {from});
@@ -183,7 +196,7 @@ Lowering::TextAt Lowering::textFunction(Scope& scope, const std::string& name, c
     const TextAt from = text(scope, *values[0]), what = text(scope, *values[1]);
     const std::uint32_t position = number(*values[2]);
     const TextAt front = cut(
-        from, [&] { load(whole, position); }, one);
+        from, [&] { load(whole, position); }, first);
     const TextAt rest = cut(from, all, [&] { sum(position, 1); });
     return join(join(front, what), rest);
   }
@@ -194,7 +207,7 @@ Lowering::TextAt Lowering::textFunction(Scope& scope, const std::string& name, c
     const TextAt what = replaces ? text(scope, *values[1]) : TextAt{};
     const std::uint32_t count = number(*values[replaces ? 2 : 1]), position = number(*values[replaces ? 3 : 2]);
     const TextAt front = cut(
-        from, [&] { sum(position, -1); }, one);
+        from, [&] { sum(position, -1); }, first);
     const TextAt rest = cut(from, all, [&] {
       load(whole, position);
       load(whole, count);

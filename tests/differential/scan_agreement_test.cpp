@@ -2,24 +2,18 @@
 // to the same state after every scan, in every place that the program touches. A failing program is shrunk before it
 // is shown. The same holds in the places of a cone of influence where nothing but that cone is encoded: the engine runs
 // the whole program. RUNGPROOF_SEED chooses other programs, RUNGPROOF_PROGRAMS how many.
+#include "tests/differential/scan_agreement.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
 #include "analysis/unread/cone_of_influence.hpp"
-#include "analysis/witness/scan_run.hpp"
 #include "tests/differential/program_generator.hpp"
 
 namespace rungproof {
 namespace {
-
-struct Outcome {
-  std::string difference;  ///< empty: both sides agree
-  int scans = 0;
-  bool isExact = true;   ///< false: the encoder approximated, so the run proves nothing
-  bool isWhole = false;  ///< nothing lies outside the cone: not compared
-};
 
 /// One network for each rung: where the instructions so far have used up what they loaded.
 Program inNetworks(Program program) {
@@ -60,29 +54,12 @@ Place placeOf(const Access& access) {
   return memoryPlace(access.area, access.offset, access.width, access.bit);
 }
 
-std::uint64_t valueIn(const Concrete::Store& store, const Place& place) {
-  if (place.isRegister) return store.get(place.reg, place.at);
-  std::uint64_t value = 0;
-  for (std::uint32_t i = 0; i < place.width; ++i) {
-    const std::uint32_t at = place.at + i;
-    value = value << 1 | store.load(place.area, at / 8 * 8 + 7 - at % 8, 1);
-  }
-  return value;
-}
-
-/// What both sides must agree on. The phases of the tick clocks are kept as digits in the transition system.
-bool isCompared(const Place& place) {
-  return !place.isRegister ||
-         (place.reg != Reg::PhaseTen && place.reg != Reg::PhaseHundred && place.reg != Reg::PhysicalOutput);
-}
-
 enum class Part : std::uint8_t { Whole, Cone };
 
-Outcome compare(const RandomProgram& random, std::uint64_t seed, int scanCount, const EncoderOptions& whole,
-                Part part) {
+AgreementOutcome compare(const RandomProgram& random, std::uint64_t seed, int scanCount, const EncoderOptions& whole,
+                         Part part) {
   const Program program = inNetworks(random.program());
   EncoderOptions options = whole;
-  Outcome outcome;
   std::vector<Place> asked;
   if (part == Part::Cone) {
     const Facts facts(program);
@@ -93,74 +70,13 @@ Outcome compare(const RandomProgram& random, std::uint64_t seed, int scanCount, 
       rows.push_back(rowOf(access.area, access.width, access.offset, access.bit));
     }
     options.isLeftOut = outsideCone(facts, rows);
-    outcome.isWhole = std::ranges::count(options.isLeftOut, true) == 0;
-    if (outcome.isWhole) return outcome;
-  }
-  EncodedScan scan(program, options);
-  for (const Place& place : asked) scan.atEnd(place);
-  const TransitionSystem system = scan.system();
-  // What is estimated in some scans only says in which; its inputs stay 0 here, and such a scan is not compared.
-  std::vector<Node> estimates;
-  std::set<Node> kept;
-  for (const Approximation& approximation : scan.approximations()) {
-    if (approximation.used == noNode) return outcome;
-    estimates.push_back(approximation.used);
-    kept.insert(approximation.carriers.begin(), approximation.carriers.end());
-  }
-  outcome.isExact = true;
-  std::vector<Place> places;
-  std::vector<Node> ends;
-  for (const Place& place : part == Part::Cone ? asked : scan.places()) {
-    if (!isCompared(place)) continue;
-    places.push_back(place);
-    ends.push_back(scan.atEnd(place));
-  }
-  std::vector<Node> watched = ends;
-  watched.insert(watched.end(), estimates.begin(), estimates.end());
-  ScanRun run(scan, system, watched);
-  RandomSource inputs(seed);
-  run.start();
-  for (const StateVariable& s : system.states) {
-    if (s.init == noNode) run.set(s.node, inputs.value(scan.graph()[s.node].width));
-  }
-  std::optional<Concrete::Store> initial;
-  std::vector<ReplayScan> script;
-  std::vector<std::vector<std::uint64_t>> expected;
-  for (int k = 0; k < scanCount; ++k) {
-    bool isScan = false;
-    for (int tries = 0; tries < 200 && !isScan; ++tries) {
-      for (const Node input : system.inputs) {
-        if (kept.contains(input)) continue;
-        if (tries == 0 && k > 0 && inputs.chance(60)) continue;  // most inputs keep their values for a while
-        const int width = scan.graph()[input].width;
-        run.set(input, tries > 20 && inputs.chance(50) ? inputs.below(10) : inputs.value(width));
-      }
-      isScan = run.evaluate();
-    }
-    if (!isScan) break;  // the program has stopped
-    if (std::ranges::any_of(estimates, [&](Node used) { return run[used] != 0; })) break;
-    if (k == 0) initial = run.initialState();
-    script.push_back(run.script());
-    expected.emplace_back();
-    for (const Node end : ends) expected.back().push_back(run[end]);
-    run.advance();
-  }
-  const ReplayResult result = replay(program, options.choices, script, initial ? &*initial : nullptr);
-  outcome.scans = static_cast<int>(result.states.size());
-  if (result.states.size() != script.size())
-    outcome.difference =
-        "engine made " + std::to_string(result.states.size()) + " of " + std::to_string(script.size()) + " scans";
-  for (std::size_t k = 0; k < result.states.size() && outcome.difference.empty(); ++k) {
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const std::uint64_t actual = valueIn(result.states[k], places[i]);
-      if (actual == expected[k][i]) continue;
-      outcome.difference += "scan " + std::to_string(k + 1) + ", " + nameOf(places[i]) + ": engine " +
-                            std::to_string(actual) + ", transition system " + std::to_string(expected[k][i]) + "\n";
+    if (std::ranges::count(options.isLeftOut, true) == 0) {
+      AgreementOutcome nothing;
+      nothing.isWhole = true;
+      return nothing;
     }
   }
-  if (outcome.difference.empty() && part == Part::Whole && result.unusedExternals != 0)
-    outcome.difference = std::to_string(result.unusedExternals) + " external values unused";
-  return outcome;
+  return compareScans(program, seed, scanCount, options, asked);
 }
 
 RandomProgram shrunk(RandomProgram program, std::uint64_t seed, int scans, const EncoderOptions& options, Part part) {
@@ -185,7 +101,7 @@ void runAll(const GeneratorOptions& generator, const EncoderOptions& options, in
     const std::uint64_t seed = testSeed() + offset + static_cast<std::uint64_t>(i);
     RandomSource random(seed);
     const RandomProgram program = randomProgram(random, generator);
-    const Outcome outcome = compare(program, seed, scans, options, part);
+    const AgreementOutcome outcome = compare(program, seed, scans, options, part);
     if (outcome.isWhole) continue;
     ++compared;
     total += outcome.scans;

@@ -81,6 +81,7 @@ TEST(IecLong, LongDurationsCountNanoseconds) {
   EXPECT_EQ(resultOf("LTIME", "a : LTIME := LT#3us;", "r := a * 3 / 2;"), 4500);
   EXPECT_EQ(resultOf("TIME", "", "r := T#5s * 1.5;"), 7500);
   EXPECT_EQ(resultOf("TIME", "", "r := MULTIME(T#1s, 3);"), 3000);
+  EXPECT_EQ(resultOf("TIME", "", "r := T# 30000ms;"), 30000);
 }
 
 TEST(IecLong, PropertiesCompareThem) {

@@ -58,6 +58,7 @@ class BlockProgram {
                                            "p0.ET", "o0.ET", "u0.CV", "d0.CV", "c0.CV",  "m0.sum", "m1.sum",
                                            "m0.n",  "m1.n",  "z.a",   "z.b",   "y[0].a", "y[1].b", "y[2].a"};
   static constexpr const char* reals[] = {"g0", "g1"};
+  static constexpr const char* texts[] = {"w0", "w1"};
 
   std::string text() const {
     std::string statements;

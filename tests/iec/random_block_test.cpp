@@ -15,6 +15,17 @@ iec_naive::State startOfBlocks() {
   return state;
 }
 
+/// Behind the length of a text its characters lie.
+std::string textOf(const IecRun& run, const std::string& name) {
+  Operand at = run.place(name + ".length");
+  std::string characters(run.simulator.read(at), ' ');
+  for (char& c : characters) {
+    ++at.offset;
+    c = static_cast<char>(run.simulator.read(at));
+  }
+  return characters;
+}
+
 TEST(IecRandom, BlocksComputeWhatPlainCodeDoes) {
   const char* const asked = std::getenv("RUNGPROOF_IEC_SCANS");
   const char* const first = std::getenv("RUNGPROOF_SEED");
@@ -44,6 +55,7 @@ TEST(IecRandom, BlocksComputeWhatPlainCodeDoes) {
                 (64 - bits(run.place(name).width)),
             state.whole[name])
             << name << " in scan " << scan;
+      for (const char* const name : iec_naive::BlockProgram::texts) ASSERT_EQ(textOf(run, name), state.text[name]);
       for (const char* const name : iec_naive::BlockProgram::reals) {
         const double ours = run.get(name), theirs = state.real[name];
         ASSERT_TRUE(ours == theirs || (std::isnan(ours) && std::isnan(theirs)))

@@ -2,21 +2,88 @@
 // variable r has the type. They reach every instruction of the machine.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace rungproof::iec_stated {
 
 struct Result {
-  const char* type;
-  const char* declarations;
-  const char* statements;
+  std::string type, declarations, statements;
   double value;
 };
 
-inline const std::vector<Result>& results() {
-  static const std::vector<Result> all = {
+/// Each value beside each: a bit of the result for every pair of which `op` is true. The last value is NaN where
+/// `isReal`.
+template <class Holds>
+Result comparedWithAll(const std::string& type, const std::string& op, const std::vector<std::string>& literals,
+                       const std::vector<double>& values, Holds&& holds) {
+  const std::size_t count = values.size();
+  std::string statements;
+  for (std::size_t i = 0; i < count; ++i) statements += fmt::format("v[{}] := {};\n", i, literals[i]);
+  statements += fmt::format(
+      "FOR i := 0 TO {0} DO FOR k := 0 TO {0} DO r := r * 2; IF v[i] {1} v[k] THEN r := r + 1; END_IF; END_FOR; "
+      "END_FOR;",
+      count - 1, op);
+  double expected = 0;
+  for (const double a : values) {
+    for (const double b : values) expected = expected * 2 + (holds(a, b) ? 1 : 0);
+  }
+  return {"LINT", fmt::format("v : ARRAY [0..{}] OF {}; i, k : INT; zero : {};", count - 1, type, type), statements,
+          expected};
+}
+/// The same for a function of two values: the sum over all pairs, each weighted by its number.
+template <class Function>
+Result addedUp(const std::string& type, const std::string& function, const std::vector<double>& values, Function&& f) {
+  std::string statements;
+  for (std::size_t i = 0; i < values.size(); ++i) statements += fmt::format("v[{}] := {:.1f};\n", i, values[i]);
+  statements += fmt::format(
+      "FOR i := 0 TO {0} DO FOR k := 0 TO {0} DO w := w + 1.0; r := r + {1}(v[i], v[k]) * w; END_FOR; END_FOR;",
+      values.size() - 1, function);
+  double expected = 0, weight = 0;
+  for (const double a : values) {
+    for (const double b : values) expected += f(a, b) * ++weight;
+  }
+  return {type, fmt::format("v : ARRAY [0..{}] OF {}; w : {}; i, k : INT;", values.size() - 1, type, type), statements,
+          expected};
+}
+/// Each value converted; the results are the digits of a number to the base 1000003, as 64 bits hold it.
+template <class Convert>
+Result convertedAll(const std::string& from, const std::string& to, const std::vector<double>& values,
+                    Convert&& convert) {
+  std::string statements;
+  std::uint64_t expected = 0;
+  for (const double value : values) {
+    statements += fmt::format("x := {:.1f}; r := r * 1000003 + {}_TO_{}({}_TO_{}(x));\n", value, to, "LINT", from, to);
+    expected = expected * 1000003 + static_cast<std::uint64_t>(convert(value));
+  }
+  // The lower half, which a double holds exactly.
+  statements += "r := r MOD 4294967296;";
+  const auto whole = static_cast<std::int64_t>(expected);
+  return {"LINT", fmt::format("x : {};", from), statements, static_cast<double>(whole % 4294967296)};
+}
+/// Halves to the even number, and the nearest of what fits.
+inline std::int64_t nearest(double value, double low, double high) {
+  return static_cast<std::int64_t>(std::min(std::max(std::nearbyint(value), low), high));
+}
+
+inline std::vector<Result> plainResults() {
+  return {
+      {"INT", "a : INT := 100;", "r := SHR(a, 2);", 25},
+      {"BOOL", "s : STRING := 'BA'; t : STRING := 'AB';", "r := s < t OR NOT (t < s);", 0},
+      {"LREAL", "zero : LREAL; n : LREAL;", "n := zero / zero; r := MAX(1.0, n);", 1},  // 1 < NaN is FALSE
+      {"BOOL", "s : STRING := 'AB'; t : STRING := 'AB$00';",
+       "r := s < t AND NOT (t < s) AND NOT (s = t) AND NOT (t = s);", 1},
+      {"INT", "s : STRING := 'ABCDC'; t : STRING := 'C';", "r := FIND(s, t);", 3},
+      {"INT", "a : INT := 7; b : INT;", "r := 1; r := a MOD b; r := r + 5;", 5},  // by the usual reading it is 0
+      {"REAL", "a : REAL := 1.5;", "r := -a;", -1.5},
+      {"REAL", "a : UDINT := 7;", "r := UDINT_TO_REAL(a);", 7},
+      {"REAL", "a : UDINT := 4294967295;", "r := UDINT_TO_REAL(a);", 4294967296.0},
+      {"REAL", "a : INT := -7;", "r := INT_TO_REAL(a);", -7},
       // whole numbers
       {"INT", "a : INT := 7;", "r := a - 9;", -2},
       {"INT", "a : INT := -7;", "r := a / 2;", -3},
@@ -98,7 +165,75 @@ inline const std::vector<Result>& results() {
       {"BOOL", "a : STRING := 'AB'; b : STRING := 'ABC';", "r := a < b AND NOT (b < a) AND NOT (a = b) AND a = 'AB';",
        1},
       {"INT", "a : STRING := 'ABC';", "r := LEN(MID(a, 9, 2)) * 100 + LEN(MID(a, 1, 4)) * 10 + FIND(a, '');", 200},
+      {"INT", "a : ARRAY [3..5] OF INT := [1, 2, 3]; i : INT;", "FOR i := 3 TO 5 DO r := r * 10 + a[i]; END_FOR;", 123},
+      {"INT", "a : ARRAY [0..2] OF INT; i : INT := 3;", "r := 1; r := a[i]; r := 2;", 1},  // the scan ends there
+      {"INT", "a : ARRAY [0..2] OF INT; i : INT := -1;", "r := 1; a[i] := 5; r := 2;", 1},
+      {"INT", "a : INT := -100; i : INT;", "FOR i := 0 TO 17 DO r := r + SHR(a, i); END_FOR;",
+       -100 - 50 - 25 - 13 - 7 - 4 - 2 - 11},
+      {"UINT", "a : WORD := 16#8421; i : INT;",
+       "FOR i := 0 TO 17 DO r := r XOR WORD_TO_UINT(SHR(a, i)) XOR WORD_TO_UINT(SHL(a, i)); END_FOR;", 33825},
+      {"INT", "s, t : STRING[200]; i : INT;",
+       "FOR i := 1 TO 150 DO s := CONCAT(s, 'a'); END_FOR; t := MID(s, 140, 11); r := LEN(s) * 10 + LEN(t) - "
+       "LEN(LEFT(s, 129));",
+       1500 + 140 - 129},
+      {"INT", "s : STRING := 'ab$FFc'; t : STRING := 'ab$7Fc';",
+       "IF t < s THEN r := 1; END_IF; IF s < t THEN r := r + 2; END_IF; IF s = t THEN r := r + 4; END_IF; r := r + "
+       "FIND(s, '$FFc') * 10 + FIND(s, 'c$FF') * 100;",
+       31},
+      {"INT", "s : STRING := 'abc';",
+       "r := LEN(MID(s, -1, 1)) + LEN(MID(s, 1, 0)) + LEN(MID(s, 1, -3)) + LEN(MID(s, 3, 3)) * 10 + LEN(MID(s, 0, 1)) "
+       "* 100;",
+       10},
+      {"INT", "s : STRING[5] := 'abcde';",
+       "s := CONCAT(s, 'fgh'); r := LEN(s) * 10 + FIND(s, 'e'); s := 'x'; r := r + LEN(s); IF s = 'x' THEN r := r + "
+       "100; END_IF;",
+       156},
   };
+}
+
+inline const std::vector<Result>& results() {
+  static const std::vector<Result> all = [] {
+    std::vector<Result> made = plainResults();
+    const double nan = std::nan("");
+    const std::vector<std::string> literals = {"-2.5", "-0.0", "0.0", "0.5", "2.5", "zero / zero", "1.0 / zero"};
+    const std::vector<double> reals = {-2.5, -0.0, 0.0, 0.5, 2.5, nan, INFINITY};
+    const std::vector<std::string> whole = {"-300", "-1", "0", "1", "2", "299", "300"},
+                                   unsignedOnes = {"0", "1", "2", "127", "128", "254", "255"};
+    const std::vector<double> wholes = {-300, -1, 0, 1, 2, 299, 300}, bytes = {0, 1, 2, 127, 128, 254, 255};
+    const auto all = [&](const std::string& op, auto&& holds) {
+      for (const char* const type : {"REAL", "LREAL"})
+        made.push_back(comparedWithAll(type, op, literals, reals, holds));
+      made.push_back(comparedWithAll("INT", op, whole, wholes, holds));
+      made.push_back(comparedWithAll("USINT", op, unsignedOnes, bytes, holds));
+    };
+    all("<", [](double a, double b) { return a < b; });
+    all("<=", [](double a, double b) { return a <= b; });
+    all(">", [](double a, double b) { return a > b; });
+    all(">=", [](double a, double b) { return a >= b; });
+    all("=", [](double a, double b) { return a == b; });
+    all("<>", [](double a, double b) { return a != b; });
+    const std::vector<double> few = {-2.5, -1.0, 0.0, 0.5, 2.5};
+    for (const char* const type : {"REAL", "LREAL"}) {
+      made.push_back(addedUp(type, "MAX", few, [](double a, double b) { return std::max(a, b); }));
+      made.push_back(addedUp(type, "MIN", few, [](double a, double b) { return std::min(a, b); }));
+    }
+    const std::vector<double> numbers = {-1e10, -2147483649.0, -129.0, -128.5, -2.5,  -1.5,  -0.5,  0.0,     0.5, 1.5,
+                                         2.5,   126.5,         127.5,  128.0,  254.5, 255.5, 256.0, 70000.0, 1e10};
+    const auto convert = [&](const char* to, double low, double high) {
+      for (const char* const from : {"REAL", "LREAL"}) {
+        std::vector<double> given;
+        for (const double number : numbers) given.push_back(from[0] == 'R' ? static_cast<float>(number) : number);
+        made.push_back(convertedAll(from, to, given, [&](double value) { return nearest(value, low, high); }));
+      }
+    };
+    convert("SINT", -128, 127);
+    convert("USINT", 0, 255);
+    convert("INT", -32768, 32767);
+    convert("UINT", 0, 65535);
+    convert("DINT", -2147483648.0, 2147483647.0);
+    convert("UDINT", 0, 4294967295.0);
+    return made;
+  }();
   return all;
 }
 

@@ -40,6 +40,8 @@ TEST(IecText, FunctionsCutAndJoin) {  // positions count from 1
   expectText("DELETE(abc, 9, 3)", "AB", 2);
   expectText("REPLACE(abc, 'xyz', 2, 3)", "ABxyzEF", 7);
   expectText("REPLACE(abc, '', 1, 1)", "BCDEF", 5);
+  expectText("SEL(LEN(abc) > 5, 'no', 'yes')", "yes", 3);
+  expectText("CONCAT(SEL(FALSE, 'no', abc), SEL(G := TRUE, IN0 := 'a', IN1 := 'b'))", "nob", 3);
   expectText("LEFT(CONCAT(RIGHT(abc, 3), abc), 5)", "DEFAB", 5);
   expectText("'a$'b$$c$41'", "a$'b$$cA", 6);
 }

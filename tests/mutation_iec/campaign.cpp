@@ -60,6 +60,15 @@ class MutatedRun {
     const TraceSignal signal = signalOf(program_, at);
     return numberOf(cellValue(memory_, at), signal.type, signal.width());
   }
+  std::string text(const std::string& name) const {
+    Operand at = placeOf(name + ".length");
+    std::string characters(cellValue(memory_, at), ' ');
+    for (char& c : characters) {
+      ++at.offset;
+      c = static_cast<char>(cellValue(memory_, at));
+    }
+    return characters;
+  }
   /// `ms`: since the start of the scan before.
   void scan(std::uint32_t ms) {
     Silent outside;
@@ -108,6 +117,7 @@ class BlockCase : public testing::Test {
       for (const char* const name : iec_naive::BlockProgram::truths) ASSERT_EQ(run.get(name), state.whole[name] != 0);
       for (const char* const name : iec_naive::BlockProgram::wholes)
         ASSERT_EQ(run.get(name), static_cast<double>(state.whole[name]));
+      for (const char* const name : iec_naive::BlockProgram::texts) ASSERT_EQ(run.text(name), state.text[name]);
       for (const char* const name : iec_naive::BlockProgram::reals) {
         const double ours = run.get(name), theirs = state.real[name];
         ASSERT_TRUE(ours == theirs || (std::isnan(ours) && std::isnan(theirs)));

@@ -56,11 +56,11 @@ struct FromReal {
     const std::uint64_t range = std::uint64_t{1} << (a.flag(1) ? w - 1 : w);
     const auto low = a.literal(a.flag(1) ? 0 - range : 0, 64), high = a.literal(range - 1, 64);
     const auto isBelow = d.slt(number, low, 64), isAbove = d.slt(high, number, 64);
-    const auto nearest = d.select(isBelow, low, high, 64);
-    const auto fits = d.land(d.rlegal(value), d.lnot(d.lor(isBelow, isAbove)));
-    const auto result = d.extract(d.select(fits, number, nearest, 64), w - 1, 0);
-    if (const auto known = d.truth(fits); known && *known) return a.push(result);
+    const auto nearest = d.select(isBelow, low, d.select(isAbove, high, number, 64), 64);
+    const auto result = d.extract(nearest, w - 1, 0);
     if constexpr (std::same_as<typename D::Bool, bool>) return a.push(result);
+    const auto fits = d.land(d.rlegal(value), d.lnot(d.lor(isBelow, isAbove)));
+    if (const auto known = d.truth(fits); known && *known) return a.push(result);
     a.push(d.select(fits, result, a.m.external(External::UnknownResult, 0, w), w));
   }
 };

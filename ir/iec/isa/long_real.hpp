@@ -125,23 +125,22 @@ struct FromLongReal {
     }
     const bool isLong = w == 64 && !isSigned;
     const auto number = longReal(a, isLong ? LongRealOperation::ToUnsigned : LongRealOperation::ToSigned, whole);
+    auto result = number;
+    if (w < 64) {
+      const std::uint64_t range = std::uint64_t{1} << (isSigned ? w - 1 : w);
+      const auto low = a.literal(isSigned ? 0 - range : 0, 64), high = a.literal(range - 1, 64);
+      const auto isBelow = d.slt(number, low, 64), isAbove = d.slt(high, number, 64);
+      result = d.extract(d.select(isBelow, low, d.select(isAbove, high, number, 64), 64), w - 1, 0);
+    }
+    if constexpr (std::same_as<typename D::Bool, bool>) return a.push(result);
     // 2^63 or 2^64 is the first number that 64 bits do not hold; -2^63 is one that they do.
     LongRealOrder<D> order{d};
     auto fits = order.less(order.size(whole), a.literal(isLong ? 0x43F0000000000000U : 0x43E0000000000000U, 64));
     if (isSigned && w == 64) fits = d.lor(fits, d.equal(whole, a.literal(0xC3E0000000000000U, 64), 64));
-    const std::uint64_t range = w == 64 ? 0 : std::uint64_t{1} << (isSigned ? w - 1 : w);
-    auto nearest = number;
-    if (w < 64) {
-      const auto low = a.literal(isSigned ? 0 - range : 0, 64), high = a.literal(range - 1, 64);
-      const auto isBelow = d.slt(number, low, 64), isAbove = d.slt(high, number, 64);
-      fits = d.land(fits, d.lnot(d.lor(isBelow, isAbove)));
-      nearest = d.select(isBelow, low, d.select(isAbove, high, number, 64), 64);
-    } else if (isLong) {
-      fits = d.land(fits, d.lor(d.lnot(d.bit(whole, 63)), order.equal(whole, a.literal(0, 64))));
-    }
-    const auto result = w == 64 ? number : d.extract(nearest, w - 1, 0);
+    if (isLong) fits = d.land(fits, d.lor(d.lnot(d.bit(whole, 63)), order.equal(whole, a.literal(0, 64))));
+    // Sign or zero extended, a result of fewer bits is the number again.
+    if (w < 64) fits = d.land(fits, d.equal(isSigned ? d.sext(result, w, 64) : d.zext(result, w, 64), number, 64));
     if (const auto known = d.truth(fits); known && *known) return a.push(result);
-    if constexpr (std::same_as<typename D::Bool, bool>) return a.push(result);
     a.push(d.select(fits, result, a.m.external(External::UnknownResult, 0, w), w));
   }
 };

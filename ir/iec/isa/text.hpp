@@ -101,8 +101,8 @@ struct CompareText {
     const std::size_t count = std::max(x.size(), y.size());
     x.resize(count, a.literal(0, 8));
     y.resize(count, a.literal(0, 8));
-    auto isSame = d.equal(left.length(), right.length(), 8);
     if constexpr (relation == Relation::Equal) {
+      auto isSame = d.equal(left.length(), right.length(), 8);
       for (std::size_t i = 0; i < count; ++i) isSame = d.land(isSame, d.equal(x[i], y[i], 8));
       return a.pushBool(isSame);
     }
