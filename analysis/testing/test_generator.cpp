@@ -107,8 +107,10 @@ class Generator {
 
   void followRun(const Witness& witness) {
     for (const std::uint64_t scans : {6U, 1U}) {
-      if (search_.follow(stepsOf(witness.scans, true, scans)) || search_.follow(stepsOf(witness.scans, false, scans)))
-        return;
+      for (const bool risesFirst : {true, false}) {
+        const BenchTest steps = stepsOf(witness.scans, risesFirst, scans);
+        if (steps.size() <= mostTestSteps && search_.follow(steps)) return;
+      }
     }
   }
 
@@ -318,6 +320,7 @@ class Generator {
         for (const std::uint64_t scans : {1U, 6U}) {
           for (const bool risesFirst : {true, false}) {
             BenchTest steps = stepsOf(found.run->before, risesFirst, scans);
+            if (steps.size() > mostTestSteps) continue;
             steps.push_back({{}, {1, 0}});
             steps.push_back({{}, {sweepScans, 0}});
             for (BenchStep& step : steps) {

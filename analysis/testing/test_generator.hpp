@@ -14,6 +14,9 @@
 
 namespace rungproof {
 
+/// Steps of a test; a person at the machine follows no longer one.
+inline constexpr std::size_t mostTestSteps = 200;
+
 struct GeneratorOptions {
   SimulatorOptions engine;
   std::uint32_t lowUs = 1000, highUs = 100000;  ///< scans of which every expected value must hold

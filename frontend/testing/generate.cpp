@@ -61,7 +61,8 @@ void settle(MeasureResult& measure, MissingGoal& missing, const std::map<Coverag
       return;
     }
     if (found.outcome == Outcome::Reachable)
-      missing.reason += "; the prover has a run, which no test at the bench repeats";
+      missing.reason +=
+          fmt::format("; the prover has a run, which no test of up to {} steps at the bench repeats", mostTestSteps);
     else
       missing.reason += fmt::format("; open: {}", verdictText(found.outcome, 0));
   }
