@@ -78,11 +78,19 @@ TEST(StrictPlcopen, Elements) {
                 "vendor element with pins");
 }
 
+// IEC 61131-3 has worksheets, several bodies of a POU one behind the other; a block of an S7-200 has one body.
 TEST(StrictPlcopen, OneBodyInOneLanguage) {
   const std::string one = plcopen(variables, "LD", rung("", ""));
   std::string twice = one;
   twice.insert(twice.find("</body>") + 7, "<body><LD>" + rung("", "storage=\"set\"") + "</LD></body>");
-  EXPECT_TRUE(hasReadErrors(readText("t.xml", twice)));
+  ReadOptions asS7200;
+  asS7200.dialect = "s7-200";
+  EXPECT_TRUE(hasReadErrors(readText("t.xml", twice, asS7200)));
+  const Program worksheets = readText("t.xml", twice);
+  EXPECT_FALSE(hasReadErrors(worksheets));
+  const auto main = std::ranges::find(worksheets.pous, "Main", &Pou::name);
+  ASSERT_NE(main, worksheets.pous.end());
+  EXPECT_EQ(main->networks.size(), 2U) << "none is lost";
   std::string languages = one;
   languages.insert(languages.find("</body>"), "<FBD>" + inElement(8, "b") + outElement(9, {"8"}, "y") + "</FBD>");
   EXPECT_TRUE(hasReadErrors(readText("t.xml", languages)));

@@ -84,6 +84,9 @@ TEST(SyntaxMessages, EveryMessageOccurs) {
   collect(readText("x.st",
                    "PROGRAM m VAR a : INT; r : REAL; s, t : STRING; END_VAR\na = 1;\na := r;\na : = 2;\nb := 1;\ns := "
                    "t;\nEND_PROGRAM\n"));
+  collect(readText("x.st",
+                   "PROGRAM m VAR a : INT; p : POINTER TO INT; u : Unheard; END_VAR\np := ADR(a);\nu(x := a);\n"
+                   "END_PROGRAM\n"));
   collect(readText("x.st", "TYPE t : INT; END_TYPE\nFUNCTION f : INT\nf := 1;\nEND_FUNCTION\n"));
   Program symbols;
   SyntaxSink sink(symbols, symbols.sources->add("x.asc", "126,Stop                   I       0.1 BOOL      \n"));
