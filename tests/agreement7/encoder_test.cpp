@@ -71,7 +71,7 @@ void compareRandom(std::uint64_t seed, int wanted, bool interrupts) {
     std::string faults;
     const Program program = irOf(naive7::readProgram(text), choices.is400, faults);
     ASSERT_EQ(faults, "") << "seed " << one;
-    const EncoderOutcome outcome = compareWithEngine(program, one, 10);
+    const AgreementOutcome outcome = compareWithEngine(program, one, 10);
     scans += outcome.scans;
     exact += outcome.isExact ? 1 : 0;
     if (!outcome.isExact) ++reasons[outcome.approximation];
@@ -173,7 +173,7 @@ std::string caseDifference(const Case& c, int& asked) {
       bits[place.area][at / 8 * 8 + 7 - at % 8] = (value >> (place.width - 1 - i) & 1U) != 0;
     }
   };
-  EncoderOutcome outcome;
+  AgreementOutcome outcome;
   Choices choices;
   EXPECT_TRUE(choices.set("s5-time", "synchronous"));                       // within a scan no time is stated to pass
   for (std::uint64_t seed = 1; seed <= 60 && outcome.scans == 0; ++seed) {  // not all inputs make a scan

@@ -58,7 +58,7 @@ class Twin {
   /// The transition system of the program makes the same scans as the engine.
   void encoded() const {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      const EncoderOutcome outcome = compareWithEngine(program_, seed, 12);
+      const AgreementOutcome outcome = compareWithEngine(program_, seed, 12);
       EXPECT_EQ(outcome.difference, "");
       EXPECT_TRUE(outcome.isExact) << outcome.approximation;
     }

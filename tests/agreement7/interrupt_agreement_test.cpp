@@ -77,7 +77,7 @@ TEST(InterruptAgreement, TransitionSystemAndEngineInterruptAlike) {
     std::string faults;
     const Program program = irOf(naive7::readProgram(text), one % 2 == 0, faults);
     ASSERT_EQ(faults, "") << text;
-    const EncoderOutcome outcome = compareWithEngine(program, one, 10);
+    const AgreementOutcome outcome = compareWithEngine(program, one, 10);
     scans += outcome.scans;
     compared += outcome.scans > 0 ? 1 : 0;
     ASSERT_EQ(outcome.difference, "") << "seed " << one << "\n" << text;

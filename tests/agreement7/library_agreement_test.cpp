@@ -22,7 +22,7 @@ void expectAgreement(const std::string& blocks, const std::string& statements) {
   for (const Finding& finding : program.findings) FAIL() << finding.message;
   int scans = 0;
   for (std::uint64_t one = seed; one < seed + 400 && scans < 60; ++one) {  // not all inputs make a scan
-    const EncoderOutcome outcome = compareWithEngine(program, one, 30);
+    const AgreementOutcome outcome = compareWithEngine(program, one, 30);
     ASSERT_EQ(outcome.difference, "") << "seed " << one << "\n" << statements;
     ASSERT_TRUE(outcome.isExact) << outcome.approximation;
     scans += outcome.scans;

@@ -25,7 +25,7 @@ void expectSameScans(const std::string& blocks) {
   int scans = 0;
   std::string approximation;
   for (std::uint64_t one = seed; one < seed + 25 && scans < 60; ++one) {
-    const EncoderOutcome outcome = compareWithEngine(program, one, 20);
+    const AgreementOutcome outcome = compareWithEngine(program, one, 20);
     ASSERT_EQ(outcome.difference, "") << "seed " << one << "\n" << blocks;
     scans += outcome.scans;
     approximation = outcome.approximation;

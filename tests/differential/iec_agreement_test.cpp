@@ -36,7 +36,7 @@ void agreeOnAll(std::uint64_t offset, int standard, int scans, Make&& make) {
     const std::uint64_t seed = testSeed() + offset + static_cast<std::uint64_t>(i);
     const std::string text = make(seed);
     Program program = readText("main.st", text);
-    const AgreementOutcome outcome = compareScans(program, seed, scans, freeInputs(program));
+    const AgreementOutcome outcome = compareScans(program, seed, scans, {.options = freeInputs(program)});
     ASSERT_EQ(outcome.difference, "") << "seed " << seed << "\n" << text;
     compared += outcome.scans;
     exact += outcome.isExact && outcome.scans > 0 ? 1 : 0;

@@ -30,21 +30,27 @@ bool isCompared(const Place& place) {
 
 }  // namespace
 
-AgreementOutcome compareScans(const Program& program, std::uint64_t seed, int scanCount, const EncoderOptions& options,
-                              const std::vector<Place>& asked) {
+AgreementOutcome compareScans(const Program& program, std::uint64_t seed, int scanCount,
+                              const AgreementQuestion& question) {
+  const auto& [options, asked, usesAllExternals, seen] = question;
   AgreementOutcome outcome;
   EncodedScan scan(program, options);
   for (const Place& place : asked) scan.atEnd(place);
   const TransitionSystem system = scan.system();
-  // What is estimated in some scans only says in which; its inputs stay 0 here, and such a scan is not compared.
+  // What is estimated in some scans, or left out from some place on, only says in which; its inputs stay 0 here, and
+  // such a scan is not compared.
   std::vector<Node> estimates;
   std::set<Node> kept;
   for (const Approximation& approximation : scan.approximations()) {
-    if (approximation.used == noNode) return outcome;
-    estimates.push_back(approximation.used);
+    outcome.approximation += approximation.reason + "\n";
+    const Node mark = approximation.used != noNode ? approximation.used : approximation.leftOut;
+    if (mark == noNode) {
+      outcome.isExact = false;
+      return outcome;
+    }
+    estimates.push_back(mark);
     kept.insert(approximation.carriers.begin(), approximation.carriers.end());
   }
-  outcome.isExact = true;
   std::vector<Place> places;
   std::vector<Node> ends;
   for (const Place& place : !asked.empty() ? asked : scan.places()) {
@@ -75,11 +81,15 @@ AgreementOutcome compareScans(const Program& program, std::uint64_t seed, int sc
       isScan = run.evaluate();
     }
     if (!isScan) break;  // the program has stopped
-    if (std::ranges::any_of(estimates, [&](Node used) { return run[used] != 0; })) break;
+    if (std::ranges::any_of(estimates, [&](Node used) { return run[used] != 0; })) {
+      outcome.isExact = k > 0;
+      break;
+    }
     if (k == 0) initial = run.initialState();
     script.push_back(run.script());
     expected.emplace_back();
     for (const Node end : ends) expected.back().push_back(run[end]);
+    for (std::size_t i = 0; k == 0 && seen && i < places.size(); ++i) seen(places[i], expected[0][i]);
     run.advance();
   }
   const ReplayResult result = replay(program, options.choices, script, initial ? &*initial : nullptr);
@@ -95,7 +105,7 @@ AgreementOutcome compareScans(const Program& program, std::uint64_t seed, int sc
                             std::to_string(actual) + ", transition system " + std::to_string(expected[k][i]) + "\n";
     }
   }
-  if (outcome.difference.empty() && asked.empty() && result.unusedExternals != 0)
+  if (outcome.difference.empty() && asked.empty() && usesAllExternals && result.unusedExternals != 0)
     outcome.difference = std::to_string(result.unusedExternals) + " external values unused";
   return outcome;
 }

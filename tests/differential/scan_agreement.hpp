@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,14 +12,23 @@
 namespace rungproof {
 
 struct AgreementOutcome {
-  std::string difference;  ///< empty: both sides agree
-  int scans = 0;
-  bool isExact = true;   ///< false: the encoder approximated, so the run proves nothing
-  bool isWhole = false;  ///< nothing lies outside the cone: not compared
+  std::string difference;     ///< empty: both sides agree
+  int scans = 0;              ///< that were compared
+  bool isExact = true;        ///< false: the encoding is an estimate in the first scan already, which proves nothing
+  std::string approximation;  ///< why something is estimated, a line each
+  bool isWhole = false;       ///< nothing lies outside the cone: not compared
 };
 
-/// Random inputs for that many scans. `asked`: places that are compared alone; empty: all that the program touches.
-AgreementOutcome compareScans(const Program& program, std::uint64_t seed, int scanCount, const EncoderOptions& options,
-                              const std::vector<Place>& asked = {});
+struct AgreementQuestion {
+  EncoderOptions options;
+  std::vector<Place> asked{};    ///< compared alone; empty: all that the program touches
+  bool usesAllExternals = true;  ///< the engine reads every value that the run has from outside
+  /// Hears each place with its value at the end of the first scan; may be empty.
+  std::function<void(const Place&, std::uint64_t)> seen{};
+};
+
+/// Random inputs for that many scans.
+AgreementOutcome compareScans(const Program& program, std::uint64_t seed, int scanCount,
+                              const AgreementQuestion& question);
 
 }  // namespace rungproof

@@ -76,7 +76,7 @@ AgreementOutcome compare(const RandomProgram& random, std::uint64_t seed, int sc
       return nothing;
     }
   }
-  return compareScans(program, seed, scanCount, options, asked);
+  return compareScans(program, seed, scanCount, {.options = options, .asked = asked});
 }
 
 RandomProgram shrunk(RandomProgram program, std::uint64_t seed, int scans, const EncoderOptions& options, Part part) {
