@@ -458,6 +458,7 @@ TransitionSystem ScanEncoding::system() {
     if (cell.place.reg == Reg::TimerInput) timers[cell.place.at].input = cell.start;
     if (cell.place.reg == Reg::TimerRunning) timers[cell.place.at].running = cell.start;
     if (cell.place.reg == Reg::S5Rest) timers[cell.place.at].rest = cell.start;
+    if (cell.place.reg == Reg::TimerCurrent) timers[cell.place.at].current = cell.start;
   }
   for (const auto& [number, timer] : timers) ts.timers.push_back(timer);
   ts.states.insert(ts.states.end(), eventStates_.all.begin(), eventStates_.all.end());

@@ -29,7 +29,8 @@ struct Question {
 /// State variables that belong to one timer, as far as the program has them. A hint: nothing is believed for it.
 struct TimerHint {
   Node bit = noNode, input = noNode, running = noNode;
-  Node rest = noNode;  ///< of its time, where it counts down
+  Node rest = noNode;     ///< of its time, where it counts down
+  Node current = noNode;  ///< value, where it counts up
 };
 
 /// Questions of a system by their index there, which never changes: who answers a part of them is given a list.

@@ -41,6 +41,7 @@ class TemplateSearch {
     }
     if (words_.empty()) return {};
     collectGuards();
+    if (scope_ == BoundScope::Chain) return chains();
     if (scope_ == BoundScope::Pending) collectEnds();
     for (const std::uint32_t state : order_) {
       const Node n = word(state);
@@ -73,6 +74,48 @@ class TemplateSearch {
   }
 
  private:
+  /// While a timer runs, the clock is ahead of it by what the timers before it have taken; when its bit comes, the
+  /// clock has come that far.
+  BoundTemplates chains() {
+    for (const std::vector<std::size_t>& group : groups(schedule::chainedTimers)) {
+      if (group.size() < schedule::leastChain) continue;
+      toOneWidth(group);
+      for (const std::size_t clock : group) {
+        if (words_[clock].isTimer() || words_[clock].stops.empty()) continue;
+        for (const std::size_t timer : group) {
+          if (budget_.isExhausted()) return {};
+          if (words_[timer].isTimer()) link(static_cast<int>(timer), static_cast<int>(clock));
+        }
+      }
+    }
+    cutToLimit();
+    return {std::move(words_), std::move(templates_), {}};
+  }
+  void link(int timer, int clock) {
+    const CountingWord& x = words_[static_cast<std::size_t>(timer)];
+    const CountingWord& y = words_[static_cast<std::size_t>(clock)];
+    const Node difference = this->difference(timer, clock);
+    const Node value = y.sum.progress();
+    const Node negative = graph_.make(Op::Sub, widthOf(value), graph_.constantNode(0, widthOf(value)), value);
+    for (const Node guard : linkGuards(x)) {
+      for (const std::uint64_t stop : y.stops)
+        templates_.push_back({guard, hasReached(y, stop), difference, timer, clock});
+      templates_.push_back({guard, noNode, negative});
+    }
+  }
+  /// Of a timer that the encoder names: that it runs, and that its bit is on. Else what decides how the word changes,
+  /// and that it has begun.
+  std::vector<Node> linkGuards(const CountingWord& x) {
+    const auto isLeft = [&](Node n) { return std::ranges::find(guards_, n) != guards_.end(); };  // not merged away
+    for (const TimerHint& timer : system_.timers) {
+      if (timer.current == word(x.state) && isLeft(timer.bit)) return {isAboveZero(x.state), timer.bit};
+      if (timer.rest == word(x.state) && isLeft(timer.bit) && isLeft(timer.running)) return {timer.running, timer.bit};
+    }
+    std::vector<Node> result = guardsFor({x.state}, schedule::linkGuards);
+    result.pop_back();  // without condition
+    return result;
+  }
+
   /// What the open questions depend on, in any number of scans. Of constraints those count that may end a run: others,
   /// such as the range of a clock, tell nothing of the rest.
   std::set<std::size_t> tellingStates() const {
@@ -110,7 +153,7 @@ class TemplateSearch {
     std::erase_if(rates_, [&](const Rate& rate) { return !kept.contains(rate.difference); });
   }
 
-  bool isNear() const { return scope_ == BoundScope::Few || scope_ == BoundScope::Stops; }
+  bool isNear() const { return scope_ <= BoundScope::Stops; }
   std::size_t clockGuards() const { return isNear() ? schedule::nearGuards : schedule::guardLimit; }
   Node word(std::size_t state) const { return system_.states[state].node; }
   int widthOf(Node n) const { return graph_[n].width; }
@@ -229,7 +272,7 @@ class TemplateSearch {
   }
 
   /// Words by equal increments: those added at once as they come about, pending ones a scan later.
-  std::vector<std::vector<std::size_t>> groups() {
+  std::vector<std::vector<std::size_t>> groups(std::size_t most = schedule::incrementGroup) {
     std::vector<std::vector<std::uint64_t>> seen(words_.size());  // by scan, then bit
     SimulationRuns runs(blast_.bits(), seed_);
     int done = 0;
@@ -254,7 +297,7 @@ class TemplateSearch {
     for (std::size_t i = 0; i < words_.size(); ++i) byIncrement[seen[i]].push_back(i);
     std::vector<std::vector<std::size_t>> result;
     for (auto& [increments, group] : byIncrement) {
-      if (group.size() > schedule::incrementGroup) group.resize(schedule::incrementGroup);
+      if (group.size() > most) group.resize(most);
       result.push_back(std::move(group));
     }
     return result;
@@ -350,12 +393,14 @@ class TemplateSearch {
     if (result.size() > most) result.resize(most);
     const std::size_t plain = isNear() ? 0 : result.size();
     for (std::size_t i = 0; i < plain; ++i) result.push_back(graph_.make(Op::Not, 1, result[i]));
-    for (const std::size_t s : states)
-      result.push_back(graph_.make(Op::Ult, 1, graph_.constantNode(0, widthOf(word(s))), word(s)));
+    for (const std::size_t s : states) result.push_back(isAboveZero(s));
     result.push_back(noNode);
     return result;
   }
 
+  Node isAboveZero(std::size_t state) {
+    return graph_.make(Op::Ult, 1, graph_.constantNode(0, widthOf(word(state))), word(state));
+  }
   Node wide(Node n, int width, Op extension = Op::Zext) {
     return widthOf(n) == width ? n : graph_.make(extension == Op::Sext ? Op::Sext : Op::Zext, width, n);
   }

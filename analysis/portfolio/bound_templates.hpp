@@ -10,10 +10,11 @@
 
 namespace rungproof {
 
-/// Few: of clocks against timers, while a condition holds; a chain of steps needs no more, and many would take too
-/// long. Stops: the same until the clock or timer that is subtracted stops. Pending: also for timers that have not run
-/// out, for steps that their own timers end; it comes last, since the most bounds are looked for.
-enum class BoundScope : std::uint8_t { Few, Stops, All, Pending };
+/// Chain: of clocks against many timers, one condition each: timers that start each other need no more. Few: of clocks
+/// against timers, while a condition holds; a chain of steps needs no more, and many would take too long. Stops: the
+/// same until the clock or timer that is subtracted stops. Pending: also for timers that have not run out, for steps
+/// that their own timers end; it comes last, since the most bounds are looked for.
+enum class BoundScope : std::uint8_t { Chain, Few, Stops, All, Pending };
 
 /// The word below widenings.
 inline Node withoutExtension(const Graph& graph, Node n) {

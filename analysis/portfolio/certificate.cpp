@@ -96,7 +96,8 @@ void CertificateWriter::consecution(const WordCertificate& certificate) {
   parts.push_back(notAll(certificate.invariant, 1));
   oblige("consecution", std::move(parts));
   addGuide(certificate, 0);
-  if (certificate.isChain) addAll(obligations_.back().guide, certificate.invariant, 1);
+  if (certificate.isChain || !certificate.differences.empty())
+    addAll(obligations_.back().guide, certificate.invariant, 1);
 }
 
 /// k good scans of states in the invariant, then a bad one; k = 0: one bad scan.

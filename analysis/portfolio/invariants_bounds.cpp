@@ -38,6 +38,7 @@ class BoundSearch {
         blast_(blast),
         known_(known),
         seed_(seed),
+        scope_(scope),
         budget_(budget),
         found_(boundTemplates(system, blast, known, seed, scope, budget)),
         templates_(found_.templates) {}
@@ -229,7 +230,7 @@ class BoundSearch {
       for (std::size_t i = 0; i < raised.size(); ++i) {
         Bound& bound = *raised[i];
         if (bound.course == Course::NotAsked && !askCourse(steps, sat, cnf, bound)) return false;
-        if (bound.course == Course::Grows) {
+        if (bound.course == Course::Grows && scope_ != BoundScope::Chain) {
           bound.isDropped = ++bound.raises > schedule::growthPatience;
         } else if (!maximise(steps, sat, cnf, bound, assumed, take)) {
           return false;
@@ -385,6 +386,7 @@ class BoundSearch {
   BitBlast& blast_;
   const Invariants& known_;
   const std::uint64_t seed_;
+  const BoundScope scope_;
   const Budget& budget_;
   const BoundTemplates found_;
   const std::vector<BoundTemplate>& templates_;

@@ -61,7 +61,7 @@ std::vector<NodeClause> guessTimerStates(const TransitionSystem& system) {
   for (const StateVariable& state : system.states) {
     const auto timer = byRunning.find(state.node);
     if (timer == byRunning.end()) continue;
-    const auto [bit, input, running, rest] = *timer->second;
+    const auto [bit, input, running, rest, current] = *timer->second;
     if (isState.contains(bit) && isState.contains(input))
       clauses.push_back({graph.make(Op::Not, 1, bit), input, running});
     if (isState.contains(rest))

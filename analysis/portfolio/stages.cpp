@@ -85,9 +85,10 @@ class Stages {
   void searchUnderBounds() {
     tried_.clear();
     areBoundsUnfinished_ = false;
-    for (const BoundScope scope : {BoundScope::Few, BoundScope::Stops, BoundScope::All, BoundScope::Pending}) {
+    for (const BoundScope scope :
+         {BoundScope::Chain, BoundScope::Few, BoundScope::Stops, BoundScope::All, BoundScope::Pending}) {
       if (open_.empty() || areBoundsUnfinished_) return;
-      if (scope != BoundScope::Few && options_.effort == Effort::Mined) return;
+      if (scope > BoundScope::Few && options_.effort == Effort::Mined) return;
       if (scope == BoundScope::All) raceBriefly(options_.techniques, schedule::raceBeforeBounds);
       if (open_.empty()) return;
       if (mineDifferences(scope)) searchTogether(schedule::shortInduction, false);
@@ -341,16 +342,18 @@ class Stages {
   bool mineDifferences(BoundScope scope) {
     if (!options_.techniques.has(Technique::Bounds)) return false;
     const TechniqueTurn turn(options_.log, Technique::Bounds, open_.size());
-    const MinedBounds mined =
-        mineBounds(system_, *blast_, invariants_, options_.seed, scope,
-                   budget(std::min({options_.seconds * schedule::boundShare,
-                                    options_.effort == Effort::Mined        ? schedule::firstBounds
-                                    : isQuick() && scope >= BoundScope::All ? schedule::quickBounds
-                                                                            : schedule::mostMining,
-                                    options_.left() * schedule::miningShare})),
-                   tried_);
+    const bool isFirst = options_.effort == Effort::Mined;
+    const double most = isFirst && scope == BoundScope::Chain   ? schedule::chainBounds
+                        : isFirst                               ? schedule::firstBounds
+                        : isQuick() && scope >= BoundScope::All ? schedule::quickBounds
+                                                                : schedule::mostMining;
+    const MinedBounds mined = mineBounds(
+        system_, *blast_, invariants_, options_.seed, scope,
+        budget(std::min({options_.seconds * schedule::boundShare, most, options_.left() * schedule::miningShare})),
+        tried_);
     tried_ = mined.templates;
-    areBoundsUnfinished_ = mined.isUnfinished;
+    // Chains are few words under few conditions; what comes next is of another kind.
+    areBoundsUnfinished_ = mined.isUnfinished && scope != BoundScope::Chain;
     if (mined.clauses.empty()) return false;
     leaveRace();
     blast_->add(mined.clauses);

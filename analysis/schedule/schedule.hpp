@@ -148,6 +148,7 @@
   ROW(std::int64_t, widestDifference, 1 << 20, "", "bounds further apart tell nothing") \
   ROW(double, runsBeforeBounds, 0.01, "s", "of random runs for each question that bounds would be looked for") \
   ROW(double, raceBeforeBounds, 0.03, "s", "of the race for each question, before bounds under many conditions are looked for") \
+  ROW(double, chainBounds, 2, "s", "for bounds of timers that start each other: nothing else proves what waits for their sum") \
   ROW(double, firstBounds, 0.5, "s", "for few bounds before runs are searched with long scans: most of what waits for timers is true, and what is cut off begins anew later") \
   ROW(double, quickBounds, 0.3, "s", "for bounds under many conditions while all are looked at together: those that prove something are found sooner") \
   ROW(double, boundShare, 2, "of a question", "for bounds on differences, which whole groups wait for") \
@@ -155,6 +156,9 @@
   ROW(int, templateScans, 24, "scans", "of random runs on which increments are compared") \
   ROW(std::size_t, comparedBits, 24, "bits", "of increments") \
   ROW(std::size_t, incrementGroup, 10, "words", "of one increment") \
+  ROW(std::size_t, chainedTimers, 64, "words", "the same of timers that start each other, with one condition each") \
+  ROW(std::size_t, leastChain, 6, "words", "of which one is a clock; shorter ones are proved by other bounds") \
+  ROW(std::size_t, linkGuards, 3, "conditions", "of a timer of them") \
   ROW(std::size_t, guardLimit, 14, "conditions", "for one pair of words, each also negated") \
   ROW(std::size_t, nearGuards, 6, "conditions", "the same while few bounds are looked for") \
   ROW(std::size_t, fewGuards, 4, "conditions", "the same for words that tell less about each other") \

@@ -37,7 +37,8 @@ TEST(BoundsOfPrograms, AreInductiveWithoutOtherInvariants) {
     QuestionSystem side(input.program, input.properties, goals, encoderOptionsOf(options), {});
     for (std::size_t q = 0; q < goals.size(); ++q) {
       const TransitionSystem system = side.only(q);
-      for (const BoundScope scope : {BoundScope::Few, BoundScope::Stops, BoundScope::All, BoundScope::Pending}) {
+      for (const BoundScope scope :
+           {BoundScope::Chain, BoundScope::Few, BoundScope::Stops, BoundScope::All, BoundScope::Pending}) {
         BitBlast blast(system, {0});
         const MinedBounds mined = mineBounds(system, blast, {}, 1, scope, Budget::seconds(5));
         blast.add(mined.clauses);
