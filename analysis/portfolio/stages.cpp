@@ -20,6 +20,7 @@
 #include "analysis/portfolio/invariants_groups.hpp"
 #include "analysis/portfolio/invariants_sums.hpp"
 #include "analysis/portfolio/invariants_timers.hpp"
+#include "analysis/portfolio/invariants_values.hpp"
 #include "analysis/portfolio/invariants_words.hpp"
 #include "analysis/portfolio/shared_search.hpp"
 #include "analysis/portfolio/state_truths.hpp"
@@ -80,13 +81,15 @@ class Stages {
     std::erase_if(open_, [&](std::size_t q) { return answers_[q].answer != Answer::Unknown; });
   }
 
-  /// Each scope looks for more bounds than the one before it: where that has not come to an end, none will. Before
-  /// many are looked for, the engines have a moment under those that there are.
+  /// Each scope looks for more bounds than the one before it: where that has not come to an end, none will. What few
+  /// bounds leave open may rest on words with few values. Before many bounds are looked for, the engines have a moment
+  /// under those that there are.
   void searchUnderBounds() {
     tried_.clear();
     areBoundsUnfinished_ = false;
     for (const BoundScope scope :
          {BoundScope::Chain, BoundScope::Few, BoundScope::Stops, BoundScope::All, BoundScope::Pending}) {
+      if (scope == BoundScope::Stops && listValues()) searchTogether(schedule::shortInduction, false);
       if (open_.empty() || areBoundsUnfinished_) return;
       if (scope > BoundScope::Few && options_.effort == Effort::Mined) return;
       if (scope == BoundScope::All) raceBriefly(options_.techniques, schedule::raceBeforeBounds);
@@ -338,6 +341,31 @@ class Stages {
     return latches;
   }
 
+  /// Words with few values; false if there are none.
+  bool listValues() {
+    if (open_.empty() || !options_.check || !options_.techniques.has(Technique::WordValues)) return false;
+    const TechniqueTurn turn(options_.log, Technique::WordValues, open_.size());
+    const std::vector<WordValues> found =
+        mineWordValues(system_, *blast_, invariants_, options_.seed, budget(schedule::valueSeconds));
+    std::vector<Node> nodes;
+    for (const WordValues& word : found)
+      nodes.push_back(isOneOf(*system_.graph, system_.states[word.state].node, word.values));
+    return strengthen(nodes);
+  }
+  /// Takes clauses (nodes of width 1 over states) to the invariants; false if there are none.
+  bool strengthen(const std::vector<Node>& clauses) {
+    if (clauses.empty()) return false;
+    leaveRace();
+    blast_->add(clauses);
+    for (const Node n : clauses) {
+      const Lit l = blast_->of(n)[0];
+      if (l != trueLit) invariants_.clauses.push_back({l});
+    }
+    cores_.reset();
+    blast_->ask(open_);
+    return true;
+  }
+
   /// Bounds on differences of words that count together; false if there are none.
   bool mineDifferences(BoundScope scope) {
     if (!options_.techniques.has(Technique::Bounds)) return false;
@@ -354,17 +382,8 @@ class Stages {
     tried_ = mined.templates;
     // Chains are few words under few conditions; what comes next is of another kind.
     areBoundsUnfinished_ = mined.isUnfinished && scope != BoundScope::Chain;
-    if (mined.clauses.empty()) return false;
-    leaveRace();
-    blast_->add(mined.clauses);
-    for (const Node n : mined.clauses) {
-      const Lit l = blast_->of(n)[0];
-      if (l != trueLit) invariants_.clauses.push_back({l});
-    }
     differences_.insert(differences_.end(), mined.differences.begin(), mined.differences.end());
-    cores_.reset();
-    blast_->ask(open_);
-    return true;
+    return strengthen(mined.clauses);
   }
 
   /// `seconds`: for each question, what engines have had on this system before included.

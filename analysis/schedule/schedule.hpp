@@ -146,9 +146,15 @@
   ROW(std::size_t, countingWords, 160, "words", "that count and are looked at") \
   ROW(std::size_t, capLimit, 6, "constants", "for each word") \
   ROW(std::int64_t, widestDifference, 1 << 20, "", "bounds further apart tell nothing") \
+  ROW(std::size_t, valueLimit, 256, "values", "of a word that are listed") \
+  ROW(std::size_t, fewValues, 16, "values", "that random runs show of a word, however often each comes") \
+  ROW(int, valueScans, 96, "scans", "of random runs that tell which words have more") \
+  ROW(std::uint64_t, valueLanes, 0x1111'1111'1111'1111, "", "the runs of 64 that are looked at, as bits") \
+  ROW(int, valuePasses, 3, "times", "that words are tried again, with what is known of others") \
+  ROW(double, valueSeconds, 0.3, "s", "for the values of all words of a group of questions") \
   ROW(double, runsBeforeBounds, 0.01, "s", "of random runs for each question that bounds would be looked for") \
   ROW(double, raceBeforeBounds, 0.03, "s", "of the race for each question, before bounds under many conditions are looked for") \
-  ROW(double, chainBounds, 2, "s", "for bounds of timers that start each other: nothing else proves what waits for their sum") \
+  ROW(double, chainBounds, 4, "s", "for bounds of timers that start each other: nothing else proves what waits for their sum") \
   ROW(double, firstBounds, 0.5, "s", "for few bounds before runs are searched with long scans: most of what waits for timers is true, and what is cut off begins anew later") \
   ROW(double, quickBounds, 0.3, "s", "for bounds under many conditions while all are looked at together: those that prove something are found sooner") \
   ROW(double, boundShare, 2, "of a question", "for bounds on differences, which whole groups wait for") \

@@ -23,6 +23,7 @@ constexpr std::array techniques = {
     TechniqueInfo{Technique::Covers, "covers", "sets of truth values of which one always holds", false},
     TechniqueInfo{Technique::TimerStates, "timer-states", "guesses about timers and the bits that start them", false},
     TechniqueInfo{Technique::WordGuesses, "word-guesses", "guesses about words that count together", false},
+    TechniqueInfo{Technique::WordValues, "word-values", "words that take few values, which are listed"},
     TechniqueInfo{Technique::Bounds, "bounds", "bounds on differences of words that count together, and of words that count scans from time"},
     TechniqueInfo{Technique::WordCaps, "word-caps", "words that stop counting at the largest constant they meet"},
     TechniqueInfo{Technique::Ic3, "ic3", "IC3 on bits"},

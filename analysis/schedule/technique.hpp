@@ -28,6 +28,7 @@ enum class Technique : std::uint8_t {
   Covers,
   TimerStates,
   WordGuesses,
+  WordValues,
   Bounds,
   WordCaps,
   Ic3,
