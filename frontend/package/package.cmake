@@ -3,6 +3,10 @@
 include(GNUInstallDirs)
 install(TARGETS rungproof)
 install(FILES ${CMAKE_SOURCE_DIR}/frontend/package/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/rungproof)
+if(RUNGPROOF_STATIC)
+  install(CODE "execute_process(COMMAND bash ${CMAKE_SOURCE_DIR}/frontend/package/notices COMMAND_ERROR_IS_FATAL ANY
+    OUTPUT_FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/doc/rungproof/NOTICES.txt\")")
+endif()
 file(GLOB editors CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/frontend/editor/*)
 foreach(editor IN LISTS editors)
   if(IS_DIRECTORY ${editor})
@@ -23,6 +27,8 @@ set(CPACK_PACKAGE_DESCRIPTION
 "Reads ladder, FBD and STL programs of Siemens S7-200, S7-200 SMART and S7-300/400 controllers, reports what is
 wrong in them, proves safety interlocks or shows the run that breaks them, and compares simulated with expected traces.
 Every proof comes with a certificate that another solver can check.")
+# For the archive, which lies beside other things until it is copied to its place.
+set(CPACK_PACKAGE_FILE_NAME rungproof-${RUNGPROOF_VERSION}-linux-x64)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_RESOURCE_FILE_LICENSE ${CMAKE_SOURCE_DIR}/LICENSE)
@@ -32,7 +38,7 @@ set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cvc5, man-db")
 find_program(SHLIBDEPS dpkg-shlibdeps)
 if(SHLIBDEPS)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-else()  # as it gives them on Debian 12
+elseif(NOT RUNGPROOF_STATIC)  # as it gives them on Debian 12
   set(CPACK_DEBIAN_PACKAGE_DEPENDS
     "libc6 (>= 2.36), libfmt9 (>= 9.1.0), libgcc-s1, libicu72 (>= 72.1), libmimalloc2.0, libpugixml1v5 (>= 1.4), libstdc++6 (>= 12), libz3-4, zlib1g")
 endif()
