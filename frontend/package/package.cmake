@@ -3,10 +3,6 @@
 include(GNUInstallDirs)
 install(TARGETS rungproof)
 install(FILES ${CMAKE_SOURCE_DIR}/frontend/package/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/rungproof)
-if(RUNGPROOF_STATIC)
-  install(CODE "execute_process(COMMAND bash ${CMAKE_SOURCE_DIR}/frontend/package/notices COMMAND_ERROR_IS_FATAL ANY
-    OUTPUT_FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/doc/rungproof/NOTICES.txt\")")
-endif()
 file(GLOB editors CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/frontend/editor/*)
 foreach(editor IN LISTS editors)
   if(IS_DIRECTORY ${editor})
@@ -38,7 +34,7 @@ set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cvc5, man-db")
 find_program(SHLIBDEPS dpkg-shlibdeps)
 if(SHLIBDEPS)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-elseif(NOT RUNGPROOF_STATIC)  # as it gives them on Debian 12
+else()  # as it gives them on Debian 12
   set(CPACK_DEBIAN_PACKAGE_DEPENDS
     "libc6 (>= 2.36), libfmt9 (>= 9.1.0), libgcc-s1, libicu72 (>= 72.1), libmimalloc2.0, libpugixml1v5 (>= 1.4), libstdc++6 (>= 12), libz3-4, zlib1g")
 endif()

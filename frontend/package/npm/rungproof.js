@@ -1,5 +1,6 @@
 #!/usr/bin/env node
-// Starts the program of this platform that lies in the package; its input, output and exit code are those of this command.
+// Starts the program of this platform that lies in the package; its input, output and exit code are those of this
+// command.
 'use strict';
 
 const { accessSync, chmodSync, constants, existsSync } = require('fs');

@@ -1,17 +1,18 @@
-# One program without shared libraries: RUNGPROOF_STATIC is the folder of the libraries that frontend/package/static/build
-# has built. They come before those of the system, of which only static ones are taken.
-set(RUNGPROOF_STATIC "" CACHE PATH "folder of static libraries, made by frontend/package/static/build; empty: shared ones")
+# The target rungproof_static: the object files of the ordinary program, which the tests have tried, linked without
+# shared libraries. RUNGPROOF_STATIC is the folder of those libraries that frontend/package/static/build has built.
+set(RUNGPROOF_STATIC "" CACHE PATH "folder of static libraries, made by frontend/package/static/build")
 if(RUNGPROOF_STATIC)
-  list(PREPEND CMAKE_PREFIX_PATH ${RUNGPROOF_STATIC})
-  set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
-  set(CMAKE_LINK_SEARCH_START_STATIC ON)
-  add_link_options(-static -Wl,--gc-sections)
+  find_library(PUGIXML_STATIC libpugixml.a REQUIRED)
+  find_library(ICU_STATIC libicuuc.a REQUIRED)
+  find_library(ZLIB_STATIC libz.a REQUIRED)
+  add_executable(rungproof_static EXCLUDE_FROM_ALL $<TARGET_OBJECTS:rungproof>)
+  set_target_properties(rungproof_static PROPERTIES LINKER_LANGUAGE CXX LINK_DEPENDS "${RUNGPROOF_STATIC}/lib/libz3.a")
+  add_dependencies(rungproof_static rungproof)
+  target_link_options(rungproof_static PRIVATE -static -Wl,--gc-sections)
+  # What is found by a path, not by a target, brings none of the shared libraries along.
+  target_link_libraries(rungproof_static PRIVATE
+    $<TARGET_FILE:rungproof_frontend> $<TARGET_FILE:rungproof_analysis> $<TARGET_FILE:rungproof_engine>
+    $<TARGET_FILE:rungproof_ir> ${RUNGPROOF_STATIC}/lib/libfmt.a ${RUNGPROOF_STATIC}/lib/libmimalloc.a asmjit::asmjit
+    ${RUNGPROOF_STATIC}/lib/libz3.a ${CADICAL_LIBRARY} ${PUGIXML_STATIC} ${ICU_STATIC}
+    ${RUNGPROOF_STATIC}/lib/libicudata.a ${ZLIB_STATIC})
 endif()
-
-# What packages describe as shared although they have both, and the data of ICU, which its static library wants.
-macro(take_static_libraries)
-  if(RUNGPROOF_STATIC)
-    set_target_properties(pugixml::pugixml PROPERTIES INTERFACE_LINK_LIBRARIES pugixml::static)
-    set_property(TARGET ICU::uc APPEND PROPERTY INTERFACE_LINK_LIBRARIES ${RUNGPROOF_STATIC}/lib/libicudata.a)
-  endif()
-endmacro()
