@@ -23,6 +23,8 @@ set(CPACK_PACKAGE_DESCRIPTION
 "Reads ladder, FBD and STL programs of Siemens S7-200, S7-200 SMART and S7-300/400 controllers, reports what is
 wrong in them, proves safety interlocks or shows the run that breaks them, and compares simulated with expected traces.
 Every proof comes with a certificate that another solver can check.")
+# For the archive, which lies beside other things until it is copied to its place.
+set(CPACK_PACKAGE_FILE_NAME rungproof-${RUNGPROOF_VERSION}-linux-x64)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_RESOURCE_FILE_LICENSE ${CMAKE_SOURCE_DIR}/LICENSE)

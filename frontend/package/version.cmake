@@ -1,16 +1,21 @@
-# The version that the program prints and the package bears: the tag v1.2.3 that git finds at or before this commit, with
-# the number of commits since then behind a plus; without git or a tag, that of the project.
+# The version that the program prints and all packages bear: that of `project`. A tag of git only confirms it: v1.2.3 for
+# version 1.2.3 at this commit; at an earlier one, the number of commits since then follows behind a plus. Another tag at
+# this commit is an error, because a package of that name would bear a wrong version.
 # A new tag is seen at the next build. Tested by tests/package/version_test.cmake.
 set(RUNGPROOF_VERSION ${PROJECT_VERSION})
 find_program(GIT git)
 if(GIT)
-  execute_process(COMMAND ${GIT} -C ${CMAKE_SOURCE_DIR} describe --tags --match "v[0-9]*" OUTPUT_VARIABLE tag
+  execute_process(COMMAND ${GIT} -C ${CMAKE_SOURCE_DIR} tag --points-at HEAD --list "v[0-9]*" OUTPUT_VARIABLE tags
     OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE tag_result)
-  if(tag_result EQUAL 0 AND tag MATCHES "^v([0-9]+(\\.[0-9]+)*)(-([0-9]+)-(g[0-9a-f]+))?$")
-    set(RUNGPROOF_VERSION ${CMAKE_MATCH_1})
-    if(CMAKE_MATCH_4)
-      string(APPEND RUNGPROOF_VERSION "+${CMAKE_MATCH_4}.${CMAKE_MATCH_5}")
-    endif()
+  string(REPLACE "\n" ";" tags "${tags}")
+  if(tag_result EQUAL 0 AND tags AND NOT "v${PROJECT_VERSION}" IN_LIST tags)
+    message(SEND_ERROR "the tag of this commit is ${tags}, the version in CMakeLists.txt is ${PROJECT_VERSION}: "
+      "change one of them")
+  endif()
+  execute_process(COMMAND ${GIT} -C ${CMAKE_SOURCE_DIR} describe --tags --match "v${PROJECT_VERSION}" OUTPUT_VARIABLE tag
+    OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE tag_result)
+  if(tag_result EQUAL 0 AND tag MATCHES "-([0-9]+)-(g[0-9a-f]+)$")
+    string(APPEND RUNGPROOF_VERSION "+${CMAKE_MATCH_1}.${CMAKE_MATCH_2}")
   endif()
 endif()
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/version.cpp CONTENT

@@ -3,13 +3,15 @@
 
 const vscode = require('vscode');
 const { LanguageClient, TransportKind } = require('vscode-languageclient/node');
+const { programFor } = require('./program');
 
 let client;
+let folder;
 
 async function start() {
   const settings = vscode.workspace.getConfiguration('rungproof');
   const run = {
-    command: settings.get('path'),
+    command: programFor(settings.get('path'), folder),
     args: ['lsp', ...settings.get('arguments')],
     transport: TransportKind.stdio,
   };
@@ -50,6 +52,7 @@ async function showNetwork() {
 }
 
 async function activate(context) {
+  folder = context.extensionPath;
   context.subscriptions.push(
     vscode.commands.registerCommand('rungproof.showNetwork', showNetwork),
     vscode.commands.registerCommand('rungproof.restart', restart),
