@@ -293,10 +293,6 @@ class UnreadCode::Collector {
 
   /// What of an instruction is not modelled; empty: nothing.
   std::string step7Gap(const Instruction& instruction) const {
-    for (const Operand& operand : instruction.operands) {
-      if (operand.kind == OperandKind::Address && operand.reach != nullptr && operand.reach->way == Way::Parameter)
-        return std::string(s7300::gapReason(s7300::Gap::ParameterAddress));
-    }
     if (hasOpaqueInstance() && reachesAnyBlock(instruction))
       return std::string(s7300::gapReason(s7300::Gap::SystemInstance));
     if (instruction.desc->control != Control::BlockCall || instruction.operands.empty()) return {};
