@@ -57,13 +57,16 @@ bool mayReceive(Machine<Concrete>& machine, std::uint32_t port, const Operand& o
 }
 
 bool mayAnswer(Machine<Concrete>& machine, std::uint32_t entry, const Operand& operand, std::uint64_t value) {
+  const std::uint64_t length = machine.store.get(Reg::NetLength, entry);
+  const auto inBuffer = offsetIn(machine.store.get(Reg::NetBuffer, entry), operand);
+  if (inBuffer && *inBuffer < length) return true;
   const auto offset = offsetIn(machine.store.get(Reg::NetTable, entry), operand);
   if (!offset) return false;
   if (*offset == 0) {
     const std::uint64_t code = value & 0x0F;
-    return value == 0x80 || ((value & 0x70) == 0x20 && code >= 1 && code <= 9);
+    return value == 0x80 || ((value & 0x70) == 0x20 && code >= 1 && code <= lastNetworkError(machine.target));
   }
-  const bool isData = *offset >= 7 && *offset < 7 + machine.store.get(Reg::NetLength, entry);
+  const bool isData = *offset >= 7 && *offset < 7 + length;
   return isData && machine.store.get(Reg::NetIsWrite, entry) == 0;
 }
 
@@ -95,7 +98,8 @@ bool mayWriteStatus(Machine<Concrete>& machine, const Operand& operand, std::uin
 }
 
 bool asks(const Instruction& instruction) {
-  static constexpr std::array roles = {Role::Xmt, Role::Rcv, Role::Netr, Role::Netw, Role::Pls, Role::Hdef};
+  static constexpr std::array roles = {Role::Xmt, Role::Rcv, Role::Netr, Role::Netw,
+                                       Role::Get, Role::Put, Role::Pls,  Role::Hdef};
   if (std::ranges::find(roles, roleOf(instruction)) != roles.end()) return true;
   return std::ranges::any_of(instruction.operands, [](const Operand& operand) {
     return operand.kind == OperandKind::Direct && operand.area == Area::SM && operand.offset == 31;
@@ -110,7 +114,7 @@ bool mayDeviceWrite(Machine<Concrete>& machine, const Operand& operand, std::uin
   for (std::uint32_t port = 0; port < 2; ++port) {
     if (mayReceive(machine, port, operand, value)) return true;
   }
-  for (std::uint32_t entry = 0; entry < regInfo(Reg::NetTable).count; ++entry) {
+  for (std::uint32_t entry = 0; entry < networkRequests(machine.target); ++entry) {
     if (mayAnswer(machine, entry, operand, value)) return true;
   }
   return false;
@@ -132,7 +136,7 @@ std::optional<DeviceEnd> endShownBy(Machine<Concrete>& machine, const Operand& o
   }
   if (operand.width != Width::Byte || (value & requestIsActive) != 0) return std::nullopt;
   const std::uint32_t table = pointer::encode(operand.area, operand.offset);
-  for (std::uint32_t entry = 0; entry < regInfo(Reg::NetTable).count; ++entry) {
+  for (std::uint32_t entry = 0; entry < networkRequests(machine.target); ++entry) {
     if (table == 0 || machine.store.get(Reg::NetTable, entry) != table) continue;
     endNetworkRequest(machine, entry);
     return DeviceEnd{};

@@ -1,6 +1,6 @@
-// NETR and NETW as a device: a request ends at the end of the scan after the one that made it, without error unless the
-// stimulus gives one; the answer of NETR is whatever the stimulus writes into the table (001:3022-3131). The manual
-// gives no time. Covered by tests/engine/device_test.cpp.
+// NETR, NETW, GET and PUT as a device: a request ends at the end of the scan after the one that made it, without error
+// unless the stimulus gives one; the answer of NETR is whatever the stimulus writes into the table (001:3022-3131),
+// that of GET what it writes into the own data. The manual gives no time. Covered by tests/engine/device_test.cpp.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ class NetworkRequests {
   void reset() { age_ = {}; }
 
  private:
-  std::array<std::uint32_t, 8> age_{};
+  std::array<std::uint32_t, regInfo(Reg::NetTable).count> age_{};
   std::uint8_t error_ = 0;
   bool isHeld_ = false;
 };

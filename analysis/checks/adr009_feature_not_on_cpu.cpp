@@ -40,9 +40,10 @@ class Checker {
   }
 
  private:
-  /// GET, PUT and their kin reach a partner; what is modelled in full only reads or sets what the CPU stores.
+  /// GET, PUT and their kin reach a partner; all others that are modelled in full read or set what the CPU stores.
   static bool needsEthernet(const Desc& desc) {
-    return desc.group == "communication" && (desc.cpus & s7200Cpus) == 0 && desc.modelling != Modelling::Whole;
+    return desc.group == "communication" && (desc.cpus & s7200Cpus) == 0 &&
+           (desc.modelling != Modelling::Whole || desc.role == Role::Get || desc.role == Role::Put);
   }
   /// A name that ends in s: serial ports only. Of the old compact CPUs the sources say both.
   void ethernet(const Instruction& instruction) {

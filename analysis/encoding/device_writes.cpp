@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::uint32_t longestMessage = 255;                     // 001:3195
 constexpr std::uint32_t dataAt = 7, longestData = 16;             // of a network table (000:1113-1157)
+constexpr std::uint32_t mostRead = 222;                           // by GET
 constexpr std::uint64_t endedItself = 0x27, endedByCount = 0x02;  // e, t, c, p; c (001:14286)
 constexpr std::uint64_t anyStatus = 0xE7;                         // bits 4 and 3 are always 0
 constexpr std::array<std::uint32_t, 6> counterStatus = {36, 46, 56, 136, 146, 156};
@@ -45,8 +46,11 @@ void DeviceWrites::collect(const Plan& plan, const TableTargets& pointers) {
       if ((role == Role::Xmt || role == Role::Rcv) && isConstantPort(instruction)) {
         (role == Role::Xmt ? transmits_ : receives_)[number(1)] = true;
         if (role == Role::Rcv) addTables(messages_[number(1)], instruction, pointers);
-      } else if (role == Role::Netr || role == Role::Netw) {
+      } else if (role == Role::Netr || role == Role::Netw || role == Role::Get || role == Role::Put) {
         addTables(requests_, instruction, pointers);
+        const auto found = pointers.buffers.find(instruction.id);
+        if (found == pointers.buffers.end()) continue;
+        for (const std::uint32_t address : found->second) buffers_.emplace(address, &instruction);
       } else if (role == Role::Pls && !instruction.operands.empty() && number(0) < pulses_.size()) {
         pulses_[number(0)] = true;
       } else if (role == Role::Hdef && !instruction.operands.empty() && number(0) < counterStatus.size()) {
@@ -59,7 +63,7 @@ void DeviceWrites::collect(const Plan& plan, const TableTargets& pointers) {
 /// The same address once: what is written there does not depend on who asked.
 void DeviceWrites::addTables(std::vector<Table>& tables, const Instruction& instruction, const TableTargets& pointers) {
   if (instruction.operands.empty()) return;
-  const bool isFilled = roleOf(instruction) != Role::Netw;
+  const bool isFilled = roleOf(instruction) == Role::Netr || roleOf(instruction) == Role::Rcv;
   const auto add = [&](std::uint32_t address) {
     const auto same = std::ranges::find(tables, address, &Table::address);
     if (same == tables.end())
@@ -69,7 +73,7 @@ void DeviceWrites::addTables(std::vector<Table>& tables, const Instruction& inst
   };
   const Operand& operand = instruction.operands[0];
   if (operand.kind == OperandKind::Direct) add(pointer::encode(operand.area, operand.offset));
-  if (const auto found = pointers.find(instruction.id); found != pointers.end()) {
+  if (const auto found = pointers.tables.find(instruction.id); found != pointers.tables.end()) {
     for (const std::uint32_t address : found->second) add(address);
   }
 }
@@ -106,7 +110,7 @@ void DeviceWrites::beginPort(Machine<Graph>& machine, std::uint32_t port, PortUs
 
 /// At one address at most one request ends: the first one.
 void DeviceWrites::beginNetwork(Machine<Graph>& machine) {
-  const std::uint32_t entries = regInfo(Reg::NetTable).count;
+  const std::uint32_t entries = networkRequests(target_);
   for (const Table& table : requests_) {
     if (table.address == isa::unknownAddress) continue;
     const Node runs = runsAt(table.address);
@@ -146,8 +150,7 @@ Node DeviceWrites::isEntry(std::uint32_t entry, std::uint32_t address) {
 
 Node DeviceWrites::runsAt(std::uint32_t address) {
   Node runs = number(0, 1);
-  for (std::uint32_t entry = 0; entry < regInfo(Reg::NetTable).count; ++entry)
-    runs = either(runs, isEntry(entry, address));
+  for (std::uint32_t entry = 0; entry < networkRequests(target_); ++entry) runs = either(runs, isEntry(entry, address));
   return runs;
 }
 
@@ -168,6 +171,7 @@ const std::vector<DeviceWrites::ByteWrite>& DeviceWrites::writesTo(Area area, st
   if (area == Area::SM) statusWrites(byte, list);
   receptionWrites(area, byte, list);
   networkWrites(area, byte, list);
+  answerWrites(area, byte, list);
   std::erase_if(list, [&](const ByteWrite& write) { return graph_.truth({write.guard}) == false; });
   for (const ByteWrite& write : list) record(area, byte, write);
   return known_[{area, byte}] = std::move(list);
@@ -251,7 +255,7 @@ void DeviceWrites::receptionWrites(Area area, std::uint32_t byte, std::vector<By
 }
 
 void DeviceWrites::networkWrites(Area area, std::uint32_t byte, std::vector<ByteWrite>& list) {
-  const std::uint32_t entries = regInfo(Reg::NetTable).count;
+  const std::uint32_t entries = networkRequests(target_);
   for (const Table& table : requests_) {
     if (table.address == isa::unknownAddress) {
       list.push_back({runsAt(table.address), source_.overwrite(table.instruction, unknownTable)});
@@ -261,12 +265,12 @@ void DeviceWrites::networkWrites(Area area, std::uint32_t byte, std::vector<Byte
     if (pointer::areaOf(table.address) != area || byte < first || byte >= first + dataAt + longestData) continue;
     const std::string name = addressName(area, Width::Byte, byte);
     if (byte == first) {
-      // D A E 0 and the code, which is 1 to 9 with an error; whether D comes with an error too is left open.
+      // D A E 0 and the code, which tells of an error if there is one; whether D comes with an error too is left open.
       const Node isError = source_.input(fmt::format("error of {}", name), 1);
       const Node code = source_.input(fmt::format("error code of {}", name), 4);
       const Node isDone = either(isNot(isError), source_.input(fmt::format("{} is done all the same", name), 1));
-      const Node isCode =
-          both(graph_.make(Op::Ule, 1, number(1, 4), code), graph_.make(Op::Ule, 1, code, number(9, 4)));
+      const Node isCode = both(graph_.make(Op::Ule, 1, number(1, 4), code),
+                               graph_.make(Op::Ule, 1, code, number(lastNetworkError(target_), 4)));
       const Node low = choose(isError, choose(isCode, code, number(1, 4), 4), number(0, 4), 4);
       const Node high = graph_.make(Op::Concat, 2, isDone, number(0, 1));
       const Node middle = graph_.make(Op::Concat, 4, high, graph_.make(Op::Concat, 2, isError, number(0, 1)));
@@ -275,13 +279,39 @@ void DeviceWrites::networkWrites(Area area, std::uint32_t byte, std::vector<Byte
       Node guard = number(0, 1);
       for (std::uint32_t entry = 0; entry < entries; ++entry) {
         const Node reads = both(isEntry(entry, table.address), isNot(reg(Reg::NetIsWrite, entry)));
-        const Node inside = graph_.make(Op::Ult, 1, number(byte - first - dataAt, 5), reg(Reg::NetLength, entry));
+        const Node inside = graph_.make(Op::Ult, 1, number(byte - first - dataAt, 8), reg(Reg::NetLength, entry));
         guard = either(guard, both(reads, inside));
       }
       const std::string text = fmt::format("answer in {} of {}", name, addressName(area, Width::Byte, first));
       list.push_back(
           {guard, isHead(area, byte) ? source_.overwrite(table.instruction, headOverwritten) : source_.input(text, 8)});
     }
+  }
+}
+
+/// The own data of GET, as long and from where the request has found it.
+void DeviceWrites::answerWrites(Area area, std::uint32_t byte, std::vector<ByteWrite>& list) {
+  for (const auto& [address, instruction] : buffers_) {
+    Node guard = number(0, 1);
+    for (std::uint32_t entry = 0; entry < networkRequests(target_); ++entry) {
+      const Node buffer = reg(Reg::NetBuffer, entry), own = number(address, 32);
+      if (address == isa::unknownAddress) {
+        guard = either(guard, isNot(graph_.make(Op::Equal, 1, buffer, number(0, 32))));
+      } else if (pointer::areaOf(address) == area && byte >= pointer::offsetOf(address) &&
+                 byte - pointer::offsetOf(address) < mostRead) {
+        const Node inside =
+            graph_.make(Op::Ult, 1, number(byte - pointer::offsetOf(address), 8), reg(Reg::NetLength, entry));
+        guard = either(guard, both(graph_.make(Op::Equal, 1, buffer, own), inside));
+      }
+    }
+    if (graph_.truth({guard}) == false) continue;
+    if (address == isa::unknownAddress) {
+      list.push_back({guard, source_.overwrite(instruction, unknownTable)});
+      continue;
+    }
+    const std::string text = fmt::format("answer in {}", addressName(area, Width::Byte, byte));
+    list.push_back(
+        {guard, isHead(area, byte) ? source_.overwrite(instruction, headOverwritten) : source_.input(text, 8)});
   }
 }
 

@@ -5,6 +5,8 @@
 //   XMT         at the end SM4.5 or SM4.6 = 1 (001:14109); the table is only read.
 //   NETR, NETW  at the end the status byte: done, no longer active, perhaps an error and its code (000:1113-1157,
 //               001:3052-3065); NETR before: as many data bytes as were asked for.
+//   GET, PUT    the same at the end (codes of their own); GET before: the bytes of the own data that its table named
+//               when the request was made.
 //   PLS         a train or profile ends: SM66.7 or SM76.7, SM66.4 or SM76.4 (001:4648-4650); while a profile runs its
 //               segment in SMB166 or SMB176 (001:14367).
 //   HSC         after HDEF the status bits 5 to 7, which mean something in interrupt routines only (001:4344); while
@@ -26,8 +28,25 @@
 
 namespace rungproof {
 
-/// Addresses of tables in pointer form, by instruction with a pointer to its table (Instruction::id).
-using TableTargets = std::map<std::uint32_t, std::set<std::uint32_t>>;
+/// Addresses in pointer form, by Instruction::id: of tables of devices to which pointers lead, and of the own data of
+/// GET, to which a pointer in its table leads.
+struct TableTargets {
+  using Addresses = std::map<std::uint32_t, std::set<std::uint32_t>>;
+  Addresses tables, buffers;
+
+  /// Gives whether something was new.
+  bool add(const TableTargets& more) {
+    const auto join = [](Addresses& to, const Addresses& from) {
+      bool isNew = false;
+      for (const auto& [instruction, addresses] : from) {
+        for (const std::uint32_t address : addresses) isNew = to[instruction].insert(address).second || isNew;
+      }
+      return isNew;
+    };
+    const bool hasTables = join(tables, more.tables);
+    return join(buffers, more.buffers) || hasTables;
+  }
+};
 
 class DeviceWrites {
  public:
@@ -75,6 +94,7 @@ class DeviceWrites {
   void statusWrites(std::uint32_t byte, std::vector<ByteWrite>& list);
   void receptionWrites(Area area, std::uint32_t byte, std::vector<ByteWrite>& list);
   void networkWrites(Area area, std::uint32_t byte, std::vector<ByteWrite>& list);
+  void answerWrites(Area area, std::uint32_t byte, std::vector<ByteWrite>& list);
   Node isEntry(std::uint32_t entry, std::uint32_t address);
   Node runsAt(std::uint32_t address);
   bool isHead(Area area, std::uint32_t byte) const;
@@ -96,10 +116,11 @@ class DeviceWrites {
   std::array<bool, 2> transmits_{}, receives_{};
   std::array<bool, pulseOutputCount> pulses_{};
   std::set<std::uint32_t> counters_;
-  std::array<std::vector<Table>, 2> messages_;  ///< of RCV by port
-  std::vector<Table> requests_;                 ///< of NETR and NETW
-  std::map<int, Node> ends_;                    ///< by event
-  std::map<std::uint32_t, Node> answered_;      ///< by network table: its request ends
+  std::array<std::vector<Table>, 2> messages_;           ///< of RCV by port
+  std::vector<Table> requests_;                          ///< of NETR, NETW, GET and PUT
+  std::map<std::uint32_t, const Instruction*> buffers_;  ///< of GET by address
+  std::map<int, Node> ends_;                             ///< by event
+  std::map<std::uint32_t, Node> answered_;               ///< by network table: its request ends
   std::array<Node, pulseOutputCount> aborted_{noNode, noNode, noNode, noNode};
   std::map<std::pair<Area, std::uint32_t>, std::vector<ByteWrite>> known_;
   std::vector<DeviceWrite> writes_;

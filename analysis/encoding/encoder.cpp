@@ -126,15 +126,8 @@ class EncodedScan::Impl {
     return isConfirmed;
   }
 
-  /// Adds the tables of devices that pointers lead to. Gives whether one was new.
-  bool addTables() {
-    bool isNew = false;
-    for (const auto& [instruction, addresses] : scan->tableTargets()) {
-      for (const std::uint32_t address : addresses)
-        isNew = knowledge.tables[instruction].insert(address).second || isNew;
-    }
-    return isNew;
-  }
+  /// Adds the tables of devices, and what these name, that pointers lead to. Gives whether one was new.
+  bool addTables() { return knowledge.tables.add(scan->tableTargets()); }
 
   /// Constants of the round that do not stay what they are.
   std::vector<Place> refuted(const VariableValues& values) {

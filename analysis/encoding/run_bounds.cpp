@@ -269,8 +269,6 @@ void RunBounds::Search::leaveOutWeakerOfTwo(std::vector<Bound>& bounds) {
   };
   std::erase_if(bounds, [&](const Bound& b) {
     switch (b.kind) {
-      case Parts:
-      case SignedParts: return has(b, {Sum});
       case NotAbove:
       case Below: return has(b, {Behind});
       case SignedNotAbove:

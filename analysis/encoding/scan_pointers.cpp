@@ -80,11 +80,16 @@ std::optional<std::vector<std::uint64_t>> ScanEncoding::targetsOf(Node pointer, 
 
 /// The values that the pointer can have here decide between a few places; a legal one is always among them.
 Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, Width width, Ref<Graph>& ref) {
-  const bool isTable = machine.current != nullptr && machine.current->desc->group == "communication";
+  const bool isOfDevice = machine.current != nullptr && machine.current->desc->group == "communication";
+  // What no operand names is the own data of GET.
+  auto& told = ref.operand != nullptr ? tableTargets_.tables : tableTargets_.buffers;
+  const auto tell = [&](std::uint32_t address) {
+    if (isOfDevice) told[machine.current->id].insert(address);
+  };
   const std::optional<std::vector<std::uint64_t>> values = targetsOf(pointer.node, machine.guard.node);
   if (!values) {
     ref.isUnresolved = true;
-    if (isTable) tableTargets_[machine.current->id].insert(isa::unknownAddress);
+    tell(isa::unknownAddress);
     Approximation& a = approximate(machine.current, unresolvedReason);
     a.carriers.push_back(input("pointer is legal", 1));
     return {a.carriers.back()};
@@ -94,7 +99,7 @@ Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, 
     const Graph::Bool isValue = graph.equal(pointer, graph.literal(value, 32), 32);
     const auto address = static_cast<std::uint32_t>(value);
     const bool isPlace = pointer::isLegal(machine.target, address, width);
-    if (isPlace && isTable) tableTargets_[machine.current->id].insert(address);
+    if (isPlace) tell(address);
     if (isPlace)
       ref.targets.push_back({isValue, *pointer::areaOf(address), pointer::offsetOf(address)});
     else

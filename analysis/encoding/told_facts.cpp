@@ -122,11 +122,7 @@ ToldFacts ScanEncoding::toldFacts() {
   if (effects_ != nullptr) told.effects = effects_->asFacts(graph, plan_, layout_);
   // Which places of the program an interrupt can come to, and what routines write that say no more than that.
   bool isBeyond = Footprints(knowledge_.footprints).merge(footprints_);
-  for (const auto& [instruction, addresses] : tableTargets_) {
-    const auto known = knowledge_.tables.find(instruction);
-    isBeyond = isBeyond || (!addresses.empty() && known == knowledge_.tables.end()) ||
-               std::ranges::any_of(addresses, [&](std::uint32_t a) { return !known->second.contains(a); });
-  }
+  isBeyond = isBeyond || TableTargets(knowledge_.tables).add(tableTargets_);
   if (isBeyond) told.effects.push_back(graph.constantNode(0, 1));
   addKnownValues(told);
   for (const KeptCell& cell : keptCells) {

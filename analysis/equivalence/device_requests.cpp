@@ -8,6 +8,7 @@
 
 #include "ir/s7200/args.hpp"
 #include "ir/s7200/event_cause.hpp"
+#include "ir/s7200/isa/ethernet.hpp"
 #include "ir/s7200/isa/hsc.hpp"
 
 namespace rungproof {
@@ -57,6 +58,8 @@ std::optional<Addressee> addresseeOf(const Instruction& instruction) {
         return Addressee{isPort ? Device::Port : Device::Network, constantAt(instruction, 1)};
       return std::nullopt;
     }
+    case Role::Get:
+    case Role::Put: return Addressee{Device::Ethernet, 0};
     case Role::Todw: return Addressee{Device::Clock, 0};
     default: return std::nullopt;
   }
@@ -86,12 +89,13 @@ std::vector<TakenField> fieldsOf(const Addressee& to, Role role) {
               {receive + 7, Width::Byte}};
     }
     case Device::Network: return {{portControl(to.number), Width::Byte}};
+    case Device::Ethernet:
     case Device::Clock: return {};
   }
   return {};
 }
 
-/// Bytes `first` to `last` of the table at operand 0. What XMT and NETW send decides nothing about the device.
+/// Bytes `first` to `last` of the table at operand 0. What XMT, NETW and PUT send decides nothing about the device.
 struct TakenTable {
   int first = 0, last = -1;
 };
@@ -101,6 +105,8 @@ TakenTable tableOf(const Instruction& instruction) {
     case Role::Xmt: return {0, 0};  // how many characters (001:3194)
     case Role::Netr:
     case Role::Netw: return {1, networkHead - 1};  // byte 0 is the status, which the request writes
+    case Role::Get:
+    case Role::Put: return {1, isa::requestTableBytes - 1};
     case Role::Todw: return {0, instruction.desc->operands[0].buffer.high - 1};
     default: return {};
   }
@@ -177,7 +183,7 @@ bool sendsMessages(const Program& program) {
   bool found = false;
   eachRequest(program, [&](const Instruction& instruction, const Addressee&) {
     const Role role = roleOf(instruction);
-    found = found || role == Role::Xmt || role == Role::Netw;
+    found = found || role == Role::Xmt || role == Role::Netw || role == Role::Put;
   });
   return found;
 }

@@ -14,7 +14,7 @@
 
 namespace rungproof {
 
-enum class Device : std::uint8_t { Counter, PulseOutput, Port, Network, Clock };
+enum class Device : std::uint8_t { Counter, PulseOutput, Port, Network, Ethernet, Clock };
 
 /// One execution of an instruction in a scan.
 struct DeviceRequest {

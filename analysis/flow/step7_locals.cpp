@@ -110,10 +110,20 @@ class Temps {
     }
     return {operand.offset * std::size_t{8}, 8};
   }
+  /// The block that is called, or nullptr.
+  const Pou* calleeOf(const Instruction& call) const {
+    const auto sites = facts_.calls().sites();
+    const auto calls = facts_.calls().callsIn(facts_.blockOf(call.id));  // in the order of the program
+    const auto found =
+        std::ranges::lower_bound(calls, call.id, {}, [&](std::uint32_t site) { return sites[site].instruction->id; });
+    if (found == calls.end() || sites[*found].instruction->id != call.id || sites[*found].callee == noBlock)
+      return nullptr;
+    return &facts_.program().pous[sites[*found].callee];
+  }
   /// Whether the parameter is handed on by a pointer, through which the call may write it.
   bool isHandedOn(const Instruction& call, std::size_t operand) const {
     if (call.desc->control != Control::BlockCall || operand == 0) return false;
-    const Pou* callee = facts_.program().subroutine(static_cast<int>(call.operands[0].value));
+    const Pou* callee = calleeOf(call);
     if (callee == nullptr) return true;
     std::size_t i = hasInstance(*callee) ? 2 : 1;
     for (const LocalVariable& local : callee->locals) {

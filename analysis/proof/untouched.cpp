@@ -19,12 +19,14 @@ bool isWrittenMemory(Area area) { return isMemoryArea(area) || isOutputArea(area
 
 /// Fills or reads a buffer while the program goes on (001:3145, 000:1113).
 bool usesBuffer(Role role) {
-  return role == Role::Rcv || role == Role::Xmt || role == Role::Netr || role == Role::Netw || role == Role::Todr;
+  return role == Role::Rcv || role == Role::Xmt || role == Role::Netr || role == Role::Netw || role == Role::Put ||
+         role == Role::Todr;
 }
 
-/// Whether a buffer that begins at a direct operand of such an instruction may hold the place.
+/// Whether a buffer that begins at a direct operand of such an instruction, or anywhere, may hold the place.
 bool isInBuffer(const Facts& facts, const PlaceRow& row) {
   return std::ranges::any_of(facts.instructions(), [&](const InstructionPlace& place) {
+    if (roleOf(*place.instruction) == Role::Get) return true;  // a pointer in its table says where
     if (!usesBuffer(roleOf(*place.instruction))) return false;
     return std::ranges::any_of(place.instruction->operands, [&](const Operand& o) {
       return o.kind == OperandKind::Indirect ||

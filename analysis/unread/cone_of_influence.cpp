@@ -10,7 +10,8 @@ namespace {
 /// Takes what it is to do from tables in memory that none of its operands covers.
 bool readsTables(const Desc& desc) {
   const Role role = desc.role;
-  return role == Role::Netr || role == Role::Netw || role == Role::Xmt || role == Role::Rcv || role == Role::Pls;
+  return role == Role::Netr || role == Role::Netw || role == Role::Get || role == Role::Put || role == Role::Xmt ||
+         role == Role::Rcv || role == Role::Pls;
 }
 
 /// May meet an error that ends the program (001:13906-13937): a compare contact with a number, text or pointer that is

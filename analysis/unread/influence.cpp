@@ -46,6 +46,8 @@ bool actsOnDevices(const Desc& desc) {
     case Role::Pls:
     case Role::Netr:
     case Role::Netw:
+    case Role::Get:
+    case Role::Put:
     case Role::Xmt:
     case Role::Rcv:
     case Role::Spa:

@@ -18,6 +18,7 @@
 #include "ir/s7300/organization_block.hpp"
 #include "ir/s7300/pointer_parameter.hpp"
 #include "ir/s7300/statement_role.hpp"
+#include "ir/subroutine_index.hpp"
 
 namespace rungproof {
 
@@ -53,7 +54,7 @@ std::uint64_t keyOf(Span span) { return std::uint64_t{span.file} << 32 | span.of
 class UnreadCode::Collector {
  public:
   Collector(const Program& program, const Facts& facts, const Choices& choices, UnreadCode& code)
-      : program_(program), facts_(facts), choices_(choices), code_(code), places_(program) {
+      : program_(program), facts_(facts), choices_(choices), code_(code), places_(program), blocks_(program) {
     for (std::uint32_t block = 0; block < program.pous.size(); ++block) {
       const Pou& pou = program.pous[block];
       for (std::uint32_t n = 0; n < pou.networks.size(); ++n) {
@@ -293,17 +294,13 @@ class UnreadCode::Collector {
 
   /// What of an instruction is not modelled; empty: nothing.
   std::string step7Gap(const Instruction& instruction) const {
-    for (const Operand& operand : instruction.operands) {
-      if (operand.kind == OperandKind::Address && operand.reach != nullptr && operand.reach->way == Way::Parameter)
-        return std::string(s7300::gapReason(s7300::Gap::ParameterAddress));
-    }
     if (hasOpaqueInstance() && reachesAnyBlock(instruction))
       return std::string(s7300::gapReason(s7300::Gap::SystemInstance));
     if (instruction.desc->control != Control::BlockCall || instruction.operands.empty()) return {};
     const Operand& block = instruction.operands[0];
     if (block.kind != OperandKind::Constant || block.value == blockNumber(BlockType::Sfc, 46)) return {};
     const int number = static_cast<int>(block.value);
-    const Pou* callee = program_.subroutine(number);
+    const Pou* callee = blocks_[number];
     if (number == blockNumber(BlockType::Sfc, 32) && !startsKnownBlock(instruction))
       return fmt::format("the block that it starts is in no file, or a CPU {} has no such block",
                          cpuName(program_.target.cpu));
@@ -327,7 +324,7 @@ class UnreadCode::Collector {
     }
     if (instruction.desc->control != Control::BlockCall || instruction.operands.empty()) return false;
     const Pou* callee = instruction.operands[0].kind == OperandKind::Constant
-                            ? program_.subroutine(static_cast<int>(instruction.operands[0].value))
+                            ? blocks_[static_cast<int>(instruction.operands[0].value)]
                             : nullptr;
     if (callee == nullptr) return false;
     std::size_t at = hasInstance(*callee) && instruction.operands.size() > 1 ? 2 : 1;
@@ -371,9 +368,8 @@ class UnreadCode::Collector {
       const bool mayWriteAnything = contract.mayDoAnything || (contract.source != CallContract::Source::Library &&
                                                                choices_.is(Choice::MissingBlocks, "anything"));
       const Instruction& call = *place.instruction;
-      const Pou* hidden = call.operands[0].kind == OperandKind::Constant
-                              ? program_.subroutine(static_cast<int>(call.operands[0].value))
-                              : nullptr;
+      const Pou* hidden =
+          call.operands[0].kind == OperandKind::Constant ? blocks_[static_cast<int>(call.operands[0].value)] : nullptr;
       if (mayWriteAnything && hidden == nullptr && call.operands.size() == 1) {
         UnreadPart& part =
             partOf({place.block, place.network},
@@ -400,6 +396,7 @@ class UnreadCode::Collector {
   const Choices& choices_;
   UnreadCode& code_;
   PlaceIndex places_;
+  const SubroutineIndex blocks_;
   std::map<const Network*, NetworkPlace> byNetwork_;
   std::map<std::pair<std::string, int>, NetworkPlace> byName_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> parts_;  ///< by network, index in code_.parts_

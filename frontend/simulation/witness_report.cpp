@@ -77,8 +77,12 @@ Trace traceOf(const Program& program, const Choices& choices, const Witness& wit
            row.events = eventsText(program, witness.scans[at].script.events);
            for (const ScanScript::Write& write : witness.scans[at].script.writes)
              row.devices += (row.devices.empty() ? "" : " ") + writeText(program, write);
+           // In STOP `sim` shows the terminals, which are off; the table shows the image that properties see.
+           const bool isOff = !hidesIdle && state.get(Reg::Running, 0) == 0;
            for (const TraceSignal& signal : signals) {
-             row.values.push_back(numberOf(valueIn(state, signal.operand), signal.type, signal.width()));
+             row.values.push_back(isOff && signal.operand.area == Area::Q
+                                      ? sampleValues(state, {signal}).front()
+                                      : numberOf(valueIn(state, signal.operand), signal.type, signal.width()));
              if (hidesIdle && isIdle(witness, at, signal.operand)) row.values.back().reset();
            }
            for (const std::optional<double>& value : libraries.valuesIn(at)) row.values.push_back(value);

@@ -15,7 +15,7 @@ namespace rungproof {
 inline constexpr std::size_t mostTraceRows = 1'000'000;
 
 /// Every scan of the run with the given signals; at most `limit` rows, the last ones. `hidesIdle`: inputs that do not
-/// matter have no value, for the table; a stimulus has to have them.
+/// matter have no value, for the table; a stimulus has to have them, and outputs as `sim` shows them.
 Trace traceOf(const Program& program, const Choices& choices, const Witness& witness,
               const std::vector<TraceSignal>& signals, std::size_t limit = mostTraceRows, bool hidesIdle = false);
 

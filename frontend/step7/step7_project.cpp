@@ -20,6 +20,7 @@
 #include "ir/s7300/dialect.hpp"
 #include "ir/s7300/library_contract.hpp"
 #include "ir/s7300/pointer_parameter.hpp"
+#include "ir/subroutine_index.hpp"
 
 namespace rungproof::step7 {
 
@@ -357,8 +358,9 @@ class ProjectBuilder {
         }
       }
     }
+    const SubroutineIndex own(program_);
+    std::erase_if(wanted, [&](int number) { return own[number] != nullptr; });
     for (const int number : wanted) {
-      if (program_.subroutine(number) != nullptr) continue;
       const auto in = static_cast<std::uint32_t>(numberOfBlock(number));
       if (const s7300::LibraryBlock* block = s7300::libraryBlock(blockTypeOf(number), in)) {
         const std::string text = librarySource(*block, step7Row(program_.target.cpu).image);

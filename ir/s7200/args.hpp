@@ -227,7 +227,9 @@ typename D::Bits Args<D>::loadText(const Ref<D>& ref, int element, Width w, Bits
 template <class D>
 typename D::Bool Args<D>::follow(Bits address, Width w, Ref<D>& ref) {
   const auto known = m_.d.known(address);
-  if (!known) return m_.d.targets(m_, address, w, ref);
+  // A proof keeps where requests have their tables, so that it is asked for those that are known as well.
+  constexpr bool isProof = !std::same_as<Bool, bool>;
+  if (!known || (isProof && desc_.group == "communication")) return m_.d.targets(m_, address, w, ref);
   const auto value = static_cast<std::uint32_t>(*known);
   if (!pointer::isLegal(m_.target, value, w)) return m_.d.constant(false);
   ref.isPlace = true;

@@ -27,11 +27,17 @@ void endPortUse(Machine<D>& m, std::uint32_t port, PortUse use) {
   m.set(Reg::PortBusy, port, m.d.band(m.get(Reg::PortBusy, port), m.number(others, 2), 2));
 }
 
+/// Network requests that can be active at one time: NETR and NETW (001:3033), GET and PUT.
+constexpr std::uint32_t networkRequests(const Target& target) { return isSmart(target) ? 16 : 8; }
+/// The highest error code with which such a request ends: 1 to 9 (001:3052), of GET and PUT 1 to 5.
+constexpr std::uint64_t lastNetworkError(const Target& target) { return isSmart(target) ? 5 : 9; }
 /// The request in entry `entry` of Reg::NetTable.
 template <class D>
 void endNetworkRequest(Machine<D>& m, std::uint32_t entry) {
+  constexpr int width = regInfo(Reg::NetActive).width;
   m.set(Reg::NetTable, entry, m.number(0, 32));
-  m.set(Reg::NetActive, 0, m.d.sub(m.get(Reg::NetActive), m.number(1, 4), 4));
+  if (isSmart(m.target)) m.set(Reg::NetBuffer, entry, m.number(0, 32));
+  m.set(Reg::NetActive, 0, m.d.sub(m.get(Reg::NetActive), m.number(1, width), width));
 }
 
 /// A train or profile ends: the waiting train starts without a gap (001:4584), otherwise the output is free.

@@ -59,6 +59,7 @@ enum class Reg : std::uint8_t {
   NetTable,
   NetIsWrite,
   NetLength,
+  NetBuffer,
   ClockSetting,
   PidHistory,
   PhaseTen,
@@ -139,11 +140,12 @@ inline constexpr std::array<RegInfo, static_cast<std::size_t>(Reg::count)> regTa
     {Reg::PortTable, "port.table", 32, 4},        // address of TBL: port 0 XMT, port 0 RCV, port 1 XMT, port 1 RCV
     {Reg::PortLimit, "port.limit", 8, 2},         // characters that a running reception may store
     {Reg::StationAddress, "port.address", 9, 2},  // 0: that of the system block, else SPA's + 1
-    {Reg::NetActive, "net.active", 4, 1},         // entries of net.table in use
-    {Reg::NetTable, "net.table", 32, 8},          // address of TBL of an active NETR or NETW, 0: free
-    {Reg::NetIsWrite, "net.write", 1, 8},
-    {Reg::NetLength, "net.length", 5, 8},  // data bytes of the request
-    {Reg::ClockSetting, "clock", 8, 19},   // bytes of the last TODW or TODWX
+    {Reg::NetActive, "net.active", 5, 1},         // entries of net.table in use
+    {Reg::NetTable, "net.table", 32, 16},         // address of the table of an active network request, 0: free
+    {Reg::NetIsWrite, "net.write", 1, 16},        // its table takes no data: all but NETR
+    {Reg::NetLength, "net.length", 8, 16},        // data bytes of the request
+    {Reg::NetBuffer, "net.buffer", 32, 16},       // GET: address of the own data that the answer fills, else 0
+    {Reg::ClockSetting, "clock", 8, 19},          // bytes of the last TODW or TODWX
     {Reg::PidHistory, "PID.history", 1, 16},
     {Reg::PhaseTen, "phase10", 16, 1},  // ms since the last 10 ms tick that a scan took
     {Reg::PhaseHundred, "phase100", 16, 1},

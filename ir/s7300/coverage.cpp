@@ -13,8 +13,6 @@ constexpr auto gapTable = std::to_array<GapRow>({
      "numbers of blocks, pointers without a type and places that a pointer finds as actual parameters of type POINTER "
      "and ANY",
      "the pointer to it is not modelled"},
-    {Gap::ParameterAddress, "`P##` of an elementary parameter of an FC, or of a part of a parameter",
-     "the address of a parameter is not modelled"},
     {Gap::LibraryBlock, "of the blocks of the system", "what it does is not modelled"},
     {Gap::SystemInstance,
      "of other SFB than 0 to 5 pointers and variables of complex type as parameters, multi-instances, and what stands "

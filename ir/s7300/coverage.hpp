@@ -14,7 +14,6 @@ namespace rungproof::s7300 {
 enum class Gap : std::uint8_t {
   OrganizationBlock,
   PointerParameter,
-  ParameterAddress,
   LibraryBlock,
   SystemInstance,
   MissingBlock,

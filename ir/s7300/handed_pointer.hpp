@@ -49,6 +49,37 @@ typename D::Bits Step7Places<D>::handedAddress(std::uint32_t parameter) {
   return areaPointer(PointerArea::V, number((ownPointers(*running.caller->pou) + local.pointerByte) * 8, 24));
 }
 
+/// P##name of an elementary parameter of an FC: the pointer to what the caller gives, if that lies in I, Q, M, P or the
+/// caller's own local data, by Choice::ParameterPointer; otherwise, and of a part of a parameter, any value.
+template <class D>
+typename D::Bits Step7Places<D>::elementaryAddress(const Operand& o) {
+  const Bits any = m_.external(External::UnknownResult, unknownPointer + o.reach->parameter * unknownsOfPointer, 32);
+  if (!isElementaryReference(o) || hasInstance(*m_.step7.running->pou)) return any;
+  Context c = here();
+  const Operand* given = &o;
+  bool isCallers = false;  // local data of the direct caller
+  for (int level = 0; given != nullptr && given->reach != nullptr && given->reach->way == Way::Parameter; ++level) {
+    isCallers = level == 0;
+    given = actual(c, given->reach->parameter);
+    c = callerOf(c);
+  }
+  if (given == nullptr || given->kind != OperandKind::Direct) return any;
+  const auto area = [&]() -> std::optional<PointerArea> {
+    switch (given->area) {
+      case Area::PI:
+      case Area::PQ: return PointerArea::P;
+      case Area::I: return PointerArea::I;
+      case Area::Q: return PointerArea::Q;
+      case Area::M: return PointerArea::M;
+      case Area::L: return isCallers ? std::optional(PointerArea::V) : std::nullopt;
+      default: return std::nullopt;
+    }
+  }();
+  if (!area) return any;
+  const Bits known = areaPointer(*area, number(given->offset * 8 + given->bit, 24));
+  return d_.select(m_.reads({Choice::ParameterPointer, "actual"}), known, any, 32);
+}
+
 /// The pointer to a place that the block of the context names. `isOwn`: it is the block that calls; local data of other
 /// ones has no pointer, and neither has a constant: any value. For a timer or a counter bytes 6 to 9 of the ANY end in
 /// its number; whether byte 6 repeats the code of the type is stated either way (general knowledge).

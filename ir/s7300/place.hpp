@@ -123,6 +123,7 @@ class Step7Places {
   Spot<D> handedPlace(const Context& c, std::uint32_t parameter, std::uint32_t offset, Width width);
   static std::uint32_t ownPointers(const Pou& pou);
   Bits handedAddress(std::uint32_t parameter);
+  Bits elementaryAddress(const Operand& o);
   HandedPointer<D> pointerTo(const Operand& o, const Context& c, std::uint32_t moreBits, bool isOwn,
                              std::uint32_t unknown);
   HandedPointer<D> unknownPlace(std::uint32_t index);
@@ -498,6 +499,7 @@ typename D::Bits Step7Places<D>::blockNumberOf(const Operand& o) {
 template <class D>
 typename D::Bits Step7Places<D>::addressOf(const Operand& o) {
   if (o.reach != nullptr && o.reach->way == Way::Handed) return handedAddress(o.reach->parameter);
+  if (o.reach != nullptr && o.reach->way == Way::Parameter) return elementaryAddress(o);
   if (o.reach != nullptr && o.reach->way == Way::Instance)
     return areaPointer(PointerArea::Di, number(o.offset * 8 + o.bit, 24));
   const PointerArea area = o.reach == nullptr && o.area == Area::L ? PointerArea::L : PointerArea::V;

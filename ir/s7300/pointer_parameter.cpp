@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "ir/subroutine_index.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -30,13 +32,14 @@ void placeHandedPointers(Program& program) {
       next += pointerSize(local.type);
     }
   }
+  const SubroutineIndex blocks(program);
   for (Pou& pou : program.pous) {
     std::uint32_t most = 0;
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) {
         if (instruction.desc->control != Control::BlockCall || instruction.operands.empty()) continue;
         if (instruction.operands[0].kind != OperandKind::Constant) continue;
-        const Pou* callee = program.subroutine(static_cast<int>(instruction.operands[0].value));
+        const Pou* callee = blocks[static_cast<int>(instruction.operands[0].value)];
         if (callee != nullptr) most = std::max(most, pointersOfCall(*callee));
       }
     }

@@ -69,6 +69,61 @@ TEST(LargeInput, BranchesOfOneRungAreFollowedOnce) {
   }
 }
 
+// Outputs of one rung, contacts in series and in parallel: each is looked at once.
+TEST(LargeInput, OneRungOfManyElements) {
+  const TemporaryFolder folder;
+  const auto bit = [](std::size_t i) {
+    return "V" + std::to_string(i / 8 % 4000) + "." + std::to_string(i % 8) + "\n";
+  };
+  const std::string outputs = folder.file(
+      "outputs.awl", "Network 1\nLD I0.0\n" + repeated(200'000, [&](std::size_t i) { return "= " + bit(i); }));
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"lint"}, {"sim", "--scans", "2"}, {"xref"}, {"show"}}) {
+    std::vector<std::string> arguments = command;
+    arguments.insert(arguments.end(), {"--isolated", outputs});
+    const ProcessRun made = execute(arguments);
+    EXPECT_FALSE(made.isCut) << command.front();
+    EXPECT_LT(made.peakBytes, 1000 * mebibyte) << command.front();
+  }
+  for (const char* contact : {"A ", "O "}) {
+    const std::string file = folder.file("rung.awl", "Network 1\nLD I0.0\n" + repeated(200'000, [&](std::size_t i) {
+                                                       return contact + bit(i);
+                                                     }) + "= Q0.0\n");
+    const ProcessRun shown = execute({"show", "--isolated", file});
+    EXPECT_FALSE(shown.isCut) << contact;
+    EXPECT_LT(shown.peakBytes, 1000 * mebibyte) << contact;
+  }
+}
+
+TEST(LargeInput, ManyNetworksAreShownAndTheirAddressesLookedUp) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("p.awl", repeated(60'000, [](std::size_t i) {
+                                         const std::string bit = "." + std::to_string(i % 8) + "\n";
+                                         return "Network " + std::to_string(i + 1) + "\nLD V" +
+                                                std::to_string(i / 8 % 5000) + bit + "= M" +
+                                                std::to_string(i / 8 % 30) + bit;
+                                       }));
+  for (const char* command : {"show", "lint"}) EXPECT_FALSE(execute({command, "--isolated", file}).isCut) << command;
+}
+
+// Each type is found by its number, each member by its name.
+TEST(LargeInput, ManyTypesOfMembers) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file(
+      "p.awl", repeated(20'000,
+                        [](std::size_t i) {
+                          return "TYPE UDT " + std::to_string(i + 1) + "\nSTRUCT\n a : INT ;\nEND_STRUCT ;\nEND_TYPE\n";
+                        }) +
+                   "DATA_BLOCK DB 1\nSTRUCT\n" +
+                   repeated(20'000,
+                            [](std::size_t i) {
+                              return " a" + std::to_string(i) + " : UDT " + std::to_string(i + 1) + " ;\n";
+                            }) +
+                   "END_STRUCT ;\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n A I 0.0;\n"
+                   " = Q 0.0;\nEND_ORGANIZATION_BLOCK\n");
+  EXPECT_FALSE(execute({"lint", "--isolated", file}).isCut);
+}
+
 TEST(LargeInput, ALineOfMegabytesIsShownInPart) {
   const TemporaryFolder folder;
   const ProcessRun made = execute({"lint", "--isolated", folder.file("p.awl", std::string(20'000'000, 'A'))});

@@ -95,6 +95,38 @@ TEST(Devices, BufferBehindAPointer) {
   EXPECT_NE(unknown.at("kept"), Outcome::Proved);
 }
 
+// A table behind a pointer whose value is known where it is used: what arrives is written as well.
+TEST(Devices, TablesBehindAPointerThatIsKnown) {
+  const std::string start =
+      "Network 1\nLD SM0.1\nMOVB 9, SMB30\nMOVB 16#E0, SMB87\nMOVB 2, SMB88\nMOVB 10, SMB89\nMOVB 4, SMB94\n";
+  const Outcomes received =
+      deviceOutcomes("//@ prove none: VB201 = 0\n//@ reach some: VB201 = 9\n//@ prove behind: VB205 = 0\n",
+                     start + "Network 2\nLD I0.0\nEU\nMOVD &VB200, VD0\nRCV *VD0, 0\n");
+  EXPECT_EQ(received.at("none"), Outcome::Violated);
+  EXPECT_EQ(received.at("some"), Outcome::Reachable);
+  EXPECT_EQ(received.at("behind"), Outcome::Proved);
+  for (const char* pointer : {"VD0", "AC1", "LD0"}) {
+    const Outcomes answered = deviceOutcomes(
+        "//@ reach data: VB208 = 9\n//@ reach done: V200.7\n//@ prove behind: VB209 = 0\n",
+        std::string("Network 1\nLD SM0.1\nMOVB 2, SMB30\nMOVB 2, VB206\nNetwork 2\nLD I0.0\nEU\nMOVD &VB200, ") +
+            pointer + "\nNETR *" + pointer + ", 0\n");
+    EXPECT_EQ(answered.at("data"), Outcome::Reachable) << pointer;
+    EXPECT_EQ(answered.at("done"), Outcome::Reachable) << pointer;
+    EXPECT_EQ(answered.at("behind"), Outcome::Proved) << pointer;
+  }
+  // In a block that is called, and in an interrupt routine.
+  const Outcomes called =
+      deviceOutcomes("//@ reach data: VB208 = 9\n",
+                     "Network 1\nLD SM0.1\nMOVB 2, SMB30\nMOVB 2, VB206\nNetwork 2\nLD I0.0\nCALL SBR_0\n",
+                     "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD SM0.0\nMOVD &VB200, VD0\nNETR *VD0, 0\n"
+                     "END_SUBROUTINE_BLOCK\n");
+  EXPECT_EQ(called.at("data"), Outcome::Reachable);
+  const Outcomes interrupted = deviceOutcomes(
+      "//@ prove none: VB208 = 0\n", "Network 1\nLD SM0.1\nMOVB 2, SMB30\nMOVB 2, VB206\nATCH INT_0, 0\nENI\n",
+      "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nMOVD &VB200, VD0\nNETR *VD0, 0\nEND_INTERRUPT_BLOCK\n");
+  EXPECT_NE(interrupted.at("none"), Outcome::Proved);
+}
+
 // ---- XMT, PLS, saved values --------------------------------------------------------------------------------
 
 // SM4.5 is 0 from XMT on until the transmission has ended (001:14109); the table is only read.

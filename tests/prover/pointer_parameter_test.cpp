@@ -73,6 +73,48 @@ TEST(PointerParameter, DataOfTheOpenBlockAndParametersOfAnFc) {
   EXPECT_EQ(proofsOf(blocks, directives, call, {}, 20, choices), (Verdicts{Proved, Violated}));
 }
 
+// P## of an elementary parameter of an FC: to what the caller gives, through a second FC and in local data of the
+// caller too, in one reading; any value in the other, and of data blocks, constants and parts of a structure.
+TEST(PointerParameter, AddressOfAnElementaryParameter) {
+  const auto fc = [](const std::string& number, const std::string& locals, const std::string& statements) {
+    return "FUNCTION FC " + number + " : VOID\n" + locals + "BEGIN\nNETWORK\n" + statements + "\nEND_FUNCTION\n";
+  };
+  const std::string adds =
+      fc("1", "VAR_IN_OUT\n  x : INT;\nEND_VAR\n", "L P##x; LAR1; L 5; T W [AR1,P#0.0]; L W [AR1,P#0.0]; T MW 90;");
+  const std::string hands = fc("2", "VAR_IN_OUT\n  y : INT;\nEND_VAR\n", "CALL FC 1 (x := #y);");
+  const std::string directives = "//@ prove a: MW20 = 5\n//@ prove b: MW90 = 5\n//@ prove c: MW22 = 7\n";
+  const std::string set = "L 7; T MW 22; L 0; T MW 20; T MW 90; ";
+  Choices actual;
+  EXPECT_TRUE(actual.set("parameter-pointer", "actual"));
+  for (const char* call : {"CALL FC 1 (x := MW 20);", "CALL FC 2 (y := MW 20);"}) {
+    EXPECT_EQ(proofsOf(adds + hands, directives, set + call, {}, 20, actual), (Verdicts{Proved, Proved, Proved}))
+        << call;
+    for (const Outcome outcome : proofsOf(adds + hands, directives, set + call, {}, 2))
+      EXPECT_NE(outcome, Proved) << call;
+  }
+  EXPECT_EQ(proofsOf(adds, "//@ prove a: MW20 = 5\n", "L 0; T #own; CALL FC 1 (x := #own); L #own; T MW 20;",
+                     "  own : INT;\n", 20, actual),
+            (Verdicts{Proved}));
+  // A bit, by its bit address; an input.
+  EXPECT_EQ(proofsOf(fc("3", "VAR_INPUT\n  i : BOOL;\nEND_VAR\nVAR_OUTPUT\n  q : BOOL;\nEND_VAR\n",
+                        "L P##i; LAR1; A [AR1,P#0.0]; L P##q; LAR1; = [AR1,P#0.0];"),
+                     "//@ prove a: Q4.3 = I2.5\n//@ prove b: not Q4.3\n", "CALL FC 3 (i := I 2.5, q := Q 4.3);", {}, 20,
+                     actual),
+            (Verdicts{Proved, Violated}));
+  for (const char* given : {"DB10.DBW 2", "DBW 2"}) {
+    for (const Outcome outcome :
+         proofsOf(adds + data, directives, set + "OPN DB 10; CALL FC 1 (x := " + given + ");", {}, 2, actual))
+      EXPECT_NE(outcome, Proved) << given;
+  }
+  const std::string ofPart = fc("4", "VAR_INPUT\n  s : STRUCT\n    a : INT;\n    b : INT;\n  END_STRUCT;\nEND_VAR\n",
+                                "L P##s.b; LAR1; L 5; T W [AR1,P#0.0];");
+  for (const Outcome outcome : proofsOf(
+           ofPart + "DATA_BLOCK DB 11\nSTRUCT\n  s : STRUCT\n    a : INT;\n    b : INT;\n  END_STRUCT;\nEND_STRUCT;\n"
+                    "BEGIN\nEND_DATA_BLOCK\n",
+           directives, set + "CALL FC 4 (s := DB11.s);", {}, 2, actual))
+    EXPECT_NE(outcome, Proved);
+}
+
 // The number of a timer that an ANY carries in its last word: the block starts and asks that timer.
 TEST(PointerParameter, TheTimerOfAnAny) {
   EXPECT_EQ(

@@ -25,11 +25,6 @@ std::vector<GapCase> gapCases() {
       {PointerParameter,
        "FUNCTION FC 5 : VOID\nVAR_INPUT\n  p : ANY;\nEND_VAR\nBEGIN\nNETWORK\nSET;\n= Q 0.0;\nEND_FUNCTION\n",
        "CALL FC 5 (p := MW [MD 4]);"},
-      {ParameterAddress,
-       "FUNCTION FC 5 : VOID\nVAR_INPUT\n  x : INT;\nEND_VAR\nBEGIN\nNETWORK\nL P##x;\nLAR1;\nL W [AR1,P#0.0];\nT QW "
-       "0;\n"
-       "END_FUNCTION\n",
-       "CALL FC 5 (x := MW 4);"},
       {LibraryBlock, "", "CALL SFC 61 (CIRCLE_ID := B#16#1, BLOCK_ID := B#16#1, RET_VAL := MW 4);"},
       {SystemInstance, "DATA_BLOCK DB 14\nSFB 14\nBEGIN\nEND_DATA_BLOCK\n",
        "CALL SFB 14, DB 14 (REQ := M 0.0, ID := W#16#1, NDR := M 0.1, ADDR_1 := P#M 20.0 BYTE 2, RD_1 := P#Q 0.0 BYTE "

@@ -258,6 +258,26 @@ TEST(HandedPointer, ElementaryParametersOfAnFc) {
   EXPECT_EQ(run.bytes(100, 10), "10 01 00 01 00 0B 84 00 00 11");
 }
 
+// P## of an elementary parameter is the pointer to what the caller gives: P#M 40.0 is 16#83000140 (002:1698-1707),
+// local data of the caller lie in area V. Of data blocks and constants it is any value, here 0.
+TEST(HandedPointer, AddressOfAnElementaryParameter) {
+  const auto addressOf = [](const std::string& actual) {
+    const PointerRun run(
+        std::string(motor) +
+        "FUNCTION FC 3 : VOID\nVAR_INPUT\n  x : INT;\nEND_VAR\nBEGIN\nNETWORK\nL P##x; T MD 100;\nEND_FUNCTION\n"
+        "FUNCTION FC 4 : VOID\nVAR_INPUT\n  y : INT;\nEND_VAR\nBEGIN\nNETWORK\nCALL FC 3 (x := #y);\nEND_FUNCTION\n" +
+        ob1Of("CALL FC 3 (x := " + actual + ");"));
+    return run.bytes(100, 4);
+  };
+  EXPECT_EQ(addressOf("MW 40"), "83 00 01 40");
+  EXPECT_EQ(addressOf("IW 2"), "81 00 00 10");
+  EXPECT_EQ(addressOf("QW 4"), "82 00 00 20");
+  EXPECT_EQ(addressOf("PIW 256"), "80 00 08 00");
+  EXPECT_EQ(addressOf("#own"), "87 00 00 A0");
+  EXPECT_EQ(addressOf("DB10.speed"), "00 00 00 00");
+  EXPECT_EQ(addressOf("7"), "00 00 00 00");
+}
+
 TEST(HandedPointer, WhatHasNoPointerIsRefused) {
   const auto findingOf = [](const std::string& statement) {
     return findings7(read7(std::string(takers) + "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n" + statement +

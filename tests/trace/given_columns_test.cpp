@@ -115,6 +115,33 @@ TEST(GivenColumns, WitnessesOfAnS7300AreRepeated) {
   }
 }
 
+// A scan that ends in STOP: properties see the image as the program left it, `sim` shows outputs that are off.
+TEST(GivenColumns, RunsThatEndInStopAreRepeated) {
+  const test::TemporaryFolder folder;
+  const std::string step7 =
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nA I 0.1;\n= Q 0.0;\nA I 0.0;\nJCN go;\nCALL SFC 46;\ngo: NOP 0;\n"
+      "END_ORGANIZATION_BLOCK\n";
+  const std::pair<std::string, std::vector<std::string>> programs[] = {
+      {"LD I0.0\nSTOP\nLD I0.1\n= Q0.0\n", {"--choice", "stop-in-main=end-of-scan"}},
+      {"LD I0.1\n= Q0.0\nLD I0.0\nSTOP\n", {"--choice", "stop-in-main=at-once"}},
+      {"LD SM0.1\nATCH 0, 0\nENI\nLD I0.1\n= Q0.0\nMEND\nINT 0\nLD SM0.0\nSTOP\nRETI\n", {}},
+      {step7, {"--dialect", "s7-300"}}};
+  for (const auto& [text, options] : programs) {
+    SCOPED_TRACE(text);
+    const std::string program = folder.file("stops.awl", "//@ prove p: not (I0.0 and Q0.0)\n" + text);
+    std::vector<std::string> proof = {"prove", program, "--traces", folder.path("stops")};
+    proof.insert(proof.end(), options.begin(), options.end());
+    const test::ProgramRun proved = runCommand(proof);
+    ASSERT_EQ(proved.exit, 1) << proved.out << proved.err;
+    EXPECT_NE(proved.out.find("VIOLATED  p"), std::string::npos) << proved.out;
+    const std::string witness = (fs::path(folder.path("stops")) / "p.csv").string();
+    std::vector<std::string> repeat = {"sim", program, "--stimulus", witness, "--expect", witness};
+    repeat.insert(repeat.end(), options.begin(), options.end());
+    const test::ProgramRun simulated = runCommand(repeat);
+    EXPECT_EQ(simulated.exit, 0) << simulated.out << simulated.err;
+  }
+}
+
 // Variables of IEC 61131-3 may have the names of columns.
 TEST(GivenColumns, VariablesMayBeCalledLikeColumns) {
   const test::TemporaryFolder folder;

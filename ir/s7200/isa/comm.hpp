@@ -3,6 +3,7 @@
 // SMB86 to SMB94, port 1 by SMB130 and SMB186 to SMB194. Tests: tests/manual/comm_test.cpp.
 #pragma once
 
+#include "ir/s7200/device_end.hpp"
 #include "ir/s7200/isa/group.hpp"
 
 namespace rungproof::isa {
@@ -133,6 +134,33 @@ struct Receive {
   }
 };
 
+/// A request over a network takes the first free entry of the queue. `length`: data bytes, 8 bits; `buffer`: see
+/// Reg::NetBuffer, nothing on CPUs without.
+template <class D>
+void enterRequest(Machine<D>& m, typename D::Bits address, typename D::Bits length, bool isWrite,
+                  const std::optional<typename D::Bits>& buffer = {}) {
+  constexpr int width = regInfo(Reg::NetActive).width;
+  m.set(Reg::NetActive, 0, m.d.add(m.get(Reg::NetActive), m.number(1, width), width));
+  auto placed = m.d.constant(false);
+  for (std::uint32_t i = 0; i < networkRequests(m.target); ++i) {
+    const auto here = m.d.land(m.d.lnot(placed), m.d.equal(m.get(Reg::NetTable, i), m.number(0, 32), 32));
+    placed = m.d.lor(placed, here);
+    m.when(here, [&] {
+      m.set(Reg::NetTable, i, address);
+      m.setBit(Reg::NetIsWrite, i, m.d.constant(isWrite));
+      m.set(Reg::NetLength, i, length);
+      if (buffer) m.set(Reg::NetBuffer, i, *buffer);
+      m.signal(Signal::NetworkStarted, i);
+    });
+  }
+}
+/// Whether the queue has no entry left.
+template <class D>
+typename D::Bool isQueueFull(Machine<D>& m) {
+  constexpr int width = regInfo(Reg::NetActive).width;
+  return m.d.ule(m.number(networkRequests(m.target), width), m.get(Reg::NetActive), width);
+}
+
 /// The S7-200 SMART has GET and PUT instead (ir/s7200/isa/ethernet.hpp).
 constexpr Desc onS7200(Desc desc) {
   desc.cpus = s7200Cpus;
@@ -147,7 +175,6 @@ struct Network {
       onS7200(commDesc(writes ? Role::Netw : Role::Netr, stlName.view(), {}, meaning.view(),
                        inout("TBL", Type::Byte, form::V | form::M | form::Pointers).elements(7, 23), time, "001:3040"));
   static constexpr std::uint64_t active = 0x40, error = 0x20, queueFull = 4, notMaster = 5, badParameter = 6;
-  static constexpr std::uint32_t queueSize = 8;
 
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -159,8 +186,7 @@ struct Network {
     const auto isActive = d.bit(a.value(0), 6);
     const auto again = d.land(isActive, m.reads({Choice::NetworkAgain, "ignored"}));
     const auto lengthBad = d.lor(d.equal(length, m.number(0, 8), 8), d.ult(m.number(16, 8), length, 8));
-    const auto used = m.get(Reg::NetActive);
-    const auto full = d.ule(m.number(queueSize, 4), used, 4);
+    const auto full = isQueueFull(m);
     m.hazard(Hazard::OutOfRange, d.land(d.lnot(lengthBad), d.lnot(fits)));
     m.when(d.land(d.lnot(again), d.lor(lengthBad, fits)), [&] {
       const auto master = portIs(m, *port, ppiMaster);
@@ -169,28 +195,8 @@ struct Network {
       const auto refused = d.lor(d.lnot(master), d.lor(lengthBad, full));
       m.hazard(Hazard::PortParameter, refused);
       a.store(0, d.select(refused, d.bor(code, m.number(error, 8), 8), m.number(active, 8), 8));
-      m.when(d.lnot(refused), [&] {
-        m.set(Reg::NetActive, 0, d.add(used, m.number(1, 4), 4));
-        enter(m, addressOf(m, a, 0), length);
-      });
+      m.when(d.lnot(refused), [&] { enterRequest(m, addressOf(m, a, 0), length, writes); });
     });
-  }
-
- private:
-  /// Takes the first free entry of the queue.
-  template <class D>
-  static void enter(Machine<D>& m, typename D::Bits address, typename D::Bits length) {
-    auto placed = m.d.constant(false);
-    for (std::uint32_t i = 0; i < queueSize; ++i) {
-      const auto here = m.d.land(m.d.lnot(placed), m.d.equal(m.get(Reg::NetTable, i), m.number(0, 32), 32));
-      placed = m.d.lor(placed, here);
-      m.when(here, [&] {
-        m.set(Reg::NetTable, i, address);
-        m.setBit(Reg::NetIsWrite, i, m.d.constant(writes));
-        m.set(Reg::NetLength, i, m.d.extract(length, 4, 0));
-        m.signal(Signal::NetworkStarted, i);
-      });
-    }
   }
 };
 

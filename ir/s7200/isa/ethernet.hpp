@@ -1,10 +1,12 @@
 // What the S7-200 SMART adds for its networks: GET and PUT between CPUs, open communication (TCON TSEND TRECV TDCON),
 // the CPU's address (GIP SIP), PROFINET (BLKMOV_BIR BLKMOV_BIW RDREC WRREC), and GERR. A request goes on after its
 // instruction: its table's first byte, and for those that read a buffer named by a pointer in the table, change later
-// and from outside. Such networks are left out (Desc::modelling). Tests: tests/smart.
+// and from outside. GET and PUT are devices (ir/s7200/device_end.hpp); networks with the others are left out
+// (Desc::modelling). Tests: tests/smart.
 #pragma once
 
 #include "ir/s7200/error_codes.hpp"
+#include "ir/s7200/isa/comm.hpp"
 #include "ir/s7200/isa/control.hpp"
 
 namespace rungproof::isa {
@@ -25,18 +27,70 @@ constexpr Desc ethernetDesc(std::string_view stl, std::string_view box, std::str
                       operands);
 }
 
-/// GET and PUT. The table: 0 status, 1-4 address of the partner, 5-6 zero, 7-10 pointer to its data, 11 length, 12-15
-/// pointer to the own data.
+/// GET and PUT. The table: 0 status D A E 0 eeee, 1-4 address of the partner, 5-6 zero, 7-10 pointer to its data, 11
+/// length, 12-15 pointer to the own data in I, Q, M or V. At most 16 at a time. What the CPU checks at once, and what
+/// the end of the request tells, is not stated: any request may be refused at once with any code, and one with a wrong
+/// table may seem to be accepted; nothing is read or written for it.
 inline constexpr int requestTableBytes = 16;
-template <Role role, Modelling modelling, Name stlName, Name meaning>
-struct Request : InScan {
+template <bool writes, Name stlName, Name meaning>
+struct Request {
   static constexpr OperandDesc table =
       inout("TABLE", Type::Byte, ethernetTable).elements(requestTableBytes, requestTableBytes);
   static constexpr Desc desc = [] {
-    Desc d = ethernetDesc(stlName.view(), {}, meaning.view(), modelling, {table});
-    d.role = role;
+    Desc d = ethernetDesc(stlName.view(), {}, meaning.view(), Modelling::Whole, {table});
+    d.role = writes ? Role::Put : Role::Get;
     return d;
   }();
+  static constexpr int lengthAt = 11, pointerElement = 3;  ///< byte; double word
+  static constexpr std::uint64_t most = writes ? 212 : 222;
+  static constexpr std::uint64_t done = 0x80, active = 0x40, error = 0x20, badTable = 1, queueFull = 2;
+
+  template <class D>
+  static void run(Machine<D>& m, Args<D>& a) {
+    D& d = m.d;
+    const auto byte = [&](std::uint64_t value) { return m.number(value, 8); };
+    const auto fits = a.fits(0, m.number(requestTableBytes, 16), Width::Byte);
+    m.hazard(Hazard::OutOfRange, d.lnot(fits));
+    const auto again = d.land(d.bit(a.value(0), 6), m.reads({Choice::NetworkAgain, "ignored"}));
+    m.when(d.land(fits, d.lnot(again)), [&] {
+      const auto length = a.element(0, lengthAt, Width::Byte);
+      const auto own = a.element(0, pointerElement, Width::DWord);
+      const auto isWrong = d.lnot(mayHold(m, own, length));
+      const auto open = m.external(External::UnknownResult, 0, 8);
+      const auto code = d.band(open, byte(0x0F), 8);
+      const auto isCode = d.land(d.ule(byte(1), code, 8), d.ule(code, byte(lastNetworkError(m.target)), 8));
+      const auto refuses = d.land(d.equal(d.band(open, byte(0x70), 8), byte(error), 8), isCode);
+      const auto full = isQueueFull(m);
+      const auto refused = d.lor(d.lor(full, refuses), d.land(isWrong, d.lnot(d.bit(open, 6))));
+      const auto reason = d.select(full, byte(queueFull), d.select(isWrong, byte(badTable), code, 8), 8);
+      const auto status = d.bor(d.bor(byte(error), reason, 8), d.band(open, byte(done), 8), 8);
+      m.hazard(Hazard::PortParameter, refused);
+      a.store(0, d.select(refused, status, byte(active), 8));
+      m.when(d.lnot(refused), [&] {
+        const auto none = m.number(0, 32);
+        enterRequest(m, addressOf(m, a, 0), length, true, writes ? none : d.select(isWrong, none, own, 32));
+      });
+      if constexpr (!writes) {  // where the answer goes to is known to the proof from here
+        Ref<D> buffer;
+        m.when(d.lnot(d.lor(refused, isWrong)), [&] { a.follow(own, Width::Byte, buffer); });
+      }
+    });
+  }
+
+ private:
+  /// Whether the length and the pointer to the own data are legal.
+  template <class D>
+  static typename D::Bool mayHold(Machine<D>& m, typename D::Bits own, typename D::Bits length) {
+    D& d = m.d;
+    auto isIn = d.constant(false);
+    const auto end = d.add(d.zext(d.extract(own, 23, 0), 24, 32), d.zext(length, 8, 32), 32);
+    for (const Area area : {Area::I, Area::Q, Area::M, Area::V}) {
+      const auto isTag = d.equal(d.extract(own, 31, 24), m.number(*areaInfo(area).tag, 8), 8);
+      isIn = d.lor(isIn, d.land(isTag, d.ule(end, m.number(m.areaSize(area), 32), 32)));
+    }
+    const auto isLength = d.land(d.lnot(d.equal(length, m.number(0, 8), 8)), d.ule(length, m.number(most, 8), 8));
+    return d.land(isIn, isLength);
+  }
 };
 
 /// A request on a connection. Whether TCON and its kin take the connection as a second operand is uncertain: they may.
@@ -97,8 +151,8 @@ struct GetError {
   }
 };
 
-using GetRequest = Request<Role::Get, Modelling::WritesAnything, "GET", "read from another CPU by Ethernet">;
-using PutRequest = Request<Role::Put, Modelling::WritesOperands, "PUT", "write to another CPU by Ethernet">;
+using GetRequest = Request<false, "GET", "read from another CPU by Ethernet">;
+using PutRequest = Request<true, "PUT", "write to another CPU by Ethernet">;
 using Connect = TableRequest<Modelling::WritesOperands, "TCON", "open a connection">;
 using Send = TableRequest<Modelling::WritesOperands, "TSEND", "send on a connection">;
 using ReceiveOn = TableRequest<Modelling::WritesAnything, "TRECV", "receive on a connection">;
