@@ -66,7 +66,7 @@ namespace {
 
 /// INT_TO_STRING(x) and its kin as a call of the library function that writes the digits, BOOL_TO_STRING as a choice of
 /// two texts; nullptr for a type whose texts differ between implementations. `from`: in front of _TO_, may be empty.
-ExprPtr digitsOf(const Type& source, const std::string& from, const Expr& value) {
+ExprPtr textOfWhole(const Type& source, const std::string& from, const Expr& value) {
   if (source.kind == Kind::Bool) {
     ExprPtr made = callOf({"SEL"}, value.span);
     addArgument(*made, copyOf(value));
@@ -249,7 +249,7 @@ Lowering::TextAt Lowering::textFunction(Scope& scope, const std::string& name, c
     need(1, 1);
     const std::string from = name.starts_with("TO_") ? std::string() : name.substr(0, name.find("_TO_"));
     const Type* source = from.empty() ? typeOf(scope, *values[0]) : elementaryType(from);
-    const ExprPtr made = source != nullptr ? digitsOf(*source, from, *values[0]) : nullptr;
+    const ExprPtr made = source != nullptr ? textOfWhole(*source, from, *values[0]) : nullptr;
     if (made != nullptr) return text(scope, *made);
   }
   if (conversionTarget(name) != nullptr || isStandardFunction(name))
