@@ -67,7 +67,7 @@ std::optional<Address> AddressPairs::before(Address after) const {
   }
   const bool isGivenAway =
       std::ranges::any_of(runs_, [&](const Run& run) { return coversAddress(run.before, run.count, after); });
-  if (isGivenAway) return std::nullopt;
+  if (isGivenAway || isSeparate_) return std::nullopt;
   return after;
 }
 
@@ -78,7 +78,7 @@ std::optional<Address> AddressPairs::after(Address before) const {
   }
   const bool isGivenAway =
       std::ranges::any_of(runs_, [&](const Run& run) { return coversAddress(run.after, run.count, before); });
-  if (isGivenAway) return std::nullopt;
+  if (isGivenAway || isSeparate_) return std::nullopt;
   return before;
 }
 

@@ -42,8 +42,14 @@ class AddressPairs {
   bool add(Address before, Address after, std::uint32_t count);
   /// Has these addresses of OLD compared as one value, if what stands for them in NEW stands together too.
   void compareAsOne(ComparedRange range) { wholes_.push_back(range); }
+  /// Has these addresses of OLD compared beside what lies in the areas of outputs.
+  void compareToo(ComparedRange range) { others_.push_back(range); }
+  const std::vector<ComparedRange>& comparedToo() const { return others_; }
   /// Pairs an interrupt event of OLD with one of NEW. False if one of them has a partner already.
   bool addEvent(int before, int after);
+  /// Only what is paired stands for each other: equal addresses of these programs have nothing in common.
+  void separate() { isSeparate_ = true; }
+  bool isSeparate() const { return isSeparate_; }
   bool empty() const { return runs_.empty() && events_.empty(); }
   /// The event of OLD for one of NEW: the same one unless the map gives it to another.
   std::optional<int> eventBefore(int after) const;
@@ -68,8 +74,9 @@ class AddressPairs {
     std::uint32_t count;
   };
   std::vector<Run> runs_;
-  std::vector<ComparedRange> wholes_;
+  std::vector<ComparedRange> wholes_, others_;
   std::vector<std::pair<int, int>> events_;
+  bool isSeparate_ = false;
 };
 
 }  // namespace rungproof

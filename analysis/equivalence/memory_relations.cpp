@@ -1,18 +1,24 @@
-// Every timer of one family with every one of the other, and every bit that only the S7-300/400 names with every bit of
-// the S7-200, whichever of them is OLD.
+// Every timer of one family with every one of the other, and every bit that only one program names with every bit of
+// the other one, whichever of them is OLD.
 #include "analysis/equivalence/memory_relations.hpp"
 
 #include <fmt/format.h>
 
 #include <bit>
 #include <optional>
+#include <set>
+
+#include "ir/iec/expression_role.hpp"
 
 namespace rungproof {
 
 namespace {
 
 constexpr std::size_t mostTimerPairs = 64, mostBitPairs = 400;
-constexpr int wide = 24;  ///< bits that hold the ms of a timer of either family
+constexpr int wide = 24;                          ///< bits that hold the ms of a timer of either family
+constexpr int clockBits = 32, restWidth = 24;     ///< of a clock of IEC 61131-3, of what is left of an S5 timer
+constexpr std::int64_t longestTimer = 9'990'000;  ///< ms: of an S5 timer; one of an S7-200 is shorter
+constexpr std::uint32_t instanceBytes = 24;       ///< between the parts of a timer of IEC 61131-3
 
 /// The preset of all boxes of a timer; nothing where it is not one constant.
 std::optional<std::uint64_t> presetOf(const Plan& plan, std::uint32_t number) {
@@ -41,6 +47,14 @@ bool isBitState(const Cell& cell) {
 
 RelationCandidates::RelationCandidates(EncodedScan& before, EncodedScan& after)
     : time_(before.time()), graph_(before.graph()) {
+  if (before.plan().isIec() != after.plan().isIec()) {
+    const bool isIecNew = after.plan().isIec();
+    addSeenEdges(before, false);
+    addSeenEdges(after, true);
+    addBits(isIecNew ? before : after, isIecNew ? after : before, isIecNew);
+    addClocks(isIecNew ? after : before, isIecNew ? before : after, isIecNew);
+    return;
+  }
   const bool isStep7New = after.plan().isStep7();
   if (before.plan().isStep7() == isStep7New) return;
   EncodedScan& step7 = isStep7New ? after : before;
@@ -54,6 +68,147 @@ RelationCandidates::RelationCandidates(EncodedScan& before, EncodedScan& after)
 
 RelationCandidates::Value RelationCandidates::valueOf(EncodedScan& scan, const Place& place, bool isNew) {
   return {scan.atStart(place), scan.atEnd(place), isNew};
+}
+
+std::vector<RelationCandidates::CountingTimer> RelationCandidates::countingTimers(EncodedScan& other, bool isNew) {
+  std::vector<CountingTimer> timers;
+  for (const TimerUse& use : other.plan().timers) {
+    const auto of = [&](Reg reg) { return valueOf(other, registerPlace(reg, use.number), isNew); };
+    CountingTimer timer{.name = fmt::format("T{}", use.number),
+                        .running = of(Reg::TimerRunning),
+                        .bit = of(Reg::TimerBit),
+                        .input = of(Reg::TimerInput)};
+    if (other.plan().isStep7()) {
+      timer.count = of(Reg::S5Rest);
+      timer.atEnd = of(Reg::S5AtEnd);
+      timer.isRest = true;
+    } else {
+      const std::optional<std::uint64_t> preset = presetOf(other.plan(), use.number);
+      if (!preset || *preset == 0 || (use.kind != TimerKind::OnDelay && use.kind != TimerKind::OffDelay)) continue;
+      timer.unit = static_cast<std::uint64_t>(use.resolution);
+      timer.length = *preset * timer.unit;
+      timer.isOffDelay = use.kind == TimerKind::OffDelay;
+      timer.count = of(Reg::TimerCurrent);
+      if (use.resolution > 1) timer.coming = use.resolution == 10 ? ticks10() : ticks100();
+    }
+    timers.push_back(std::move(timer));
+  }
+  return timers;
+}
+
+/// What the clock of a timer of IEC 61131-3 has in common with a timer of the same length, and with the bits of its own
+/// block. STATE is 0 before it runs, 1 while it runs, 2 behind that.
+void RelationCandidates::addClocks(EncodedScan& iec, EncodedScan& other, bool isIecNew) {
+  struct Clock {
+    Place state, elapsed;
+  };
+  std::vector<Clock> clocks;
+  std::set<std::uint64_t> lengths;
+  for (const Flow& flow : iec.plan().flows) {
+    for (const FlowStep& step : flow.steps) {
+      const Instruction& i = *step.instruction;
+      const ExpressionRole role = expressionRole(i);
+      if (role == ExpressionRole::PassTime)
+        clocks.push_back({memoryPlace(Area::V, i.operands[0].offset, Width::Byte),
+                          memoryPlace(Area::V, i.operands[1].offset, Width::DWord)});
+      if (role == ExpressionRole::Constant && i.operands[1].value == 32 && i.operands[0].value > 0 &&
+          i.operands[0].value <= longestTimer)
+        lengths.insert(static_cast<std::uint64_t>(i.operands[0].value));
+    }
+  }
+  std::vector<CountingTimer> timers = countingTimers(other, !isIecNew);
+  if (clocks.size() * timers.size() * std::max<std::size_t>(lengths.size(), 1) > mostTimerPairs) timers.clear();
+  const Value last = valueOf(iec, registerPlace(Reg::LastScan, 0), isIecNew);
+  const Value first = valueOf(iec, registerPlace(Reg::FirstScan, 0), isIecNew);
+  std::vector<Place> bits;
+  for (const Cell& cell : iec.cells()) {
+    if (isBitState(cell)) bits.push_back(cell.place);
+  }
+  const auto truth = [](const Read& read, const Value& value) { return Graph::Bool{read(value).node}; };
+  const auto implies = [](Graph& g, Graph::Bool a, Graph::Bool b) { return g.lor(g.lnot(a), b); };
+  for (const Clock& clock : clocks) {
+    const Value state = valueOf(iec, clock.state, isIecNew), elapsed = valueOf(iec, clock.elapsed, isIecNew);
+    const std::string own = nameOf(clock.state);
+    const auto isIn = [=](Graph& g, const Read& r, std::uint64_t number) {
+      return g.equal(r(state), g.literal(number, 8), 8);
+    };
+    const auto candidate = [&](const std::string& what, auto holds) {
+      candidates_.push_back({fmt::format("{}: {}", own, what), holds});
+    };
+    candidate("idle before the first scan",
+              [=](Graph& g, const Read& r) { return implies(g, truth(r, first), isIn(g, r, 0)); });
+    candidate("a state", [=](Graph& g, const Read& r) { return g.ule(r(state), g.literal(2, 8), 8); });
+    std::vector<Place> nearby;
+    for (const Place& place : bits) {
+      const bool isNear = !place.isRegister && place.byte() + instanceBytes >= clock.state.byte() &&
+                          place.byte() <= clock.state.byte() + instanceBytes;
+      if (isNear) nearby.push_back(place);
+    }
+    for (const Place& place : nearby) {
+      const Value bit = valueOf(iec, place, isIecNew);
+      for (const std::uint64_t number : {0U, 1U, 2U}) {
+        candidate(fmt::format("{} is in {}", nameOf(place), number),
+                  [=](Graph& g, const Read& r) { return g.lnot(g.lxor(truth(r, bit), isIn(g, r, number))); });
+        candidate(fmt::format("{} is not in {}", nameOf(place), number),
+                  [=](Graph& g, const Read& r) { return g.lxor(truth(r, bit), isIn(g, r, number)); });
+      }
+    }
+    for (const CountingTimer& timer : timers) {
+      const auto counts = [=](Graph& g, const Read& r) {
+        const Graph::Bool running = truth(r, timer.running);
+        return timer.isRest || timer.isOffDelay ? running : g.land(running, g.lnot(truth(r, timer.bit)));
+      };
+      candidate(timer.name + " counts too",
+                [=](Graph& g, const Read& r) { return g.lnot(g.lxor(isIn(g, r, 1), counts(g, r))); });
+      for (const Place& place : nearby) {
+        const Value bit = valueOf(iec, place, isIecNew);
+        candidate(fmt::format("{} is given {}", timer.name, nameOf(place)),
+                  [=](Graph& g, const Read& r) { return g.equal(r(timer.input), r(bit), 1); });
+      }
+      for (const bool atEnd : {true, false}) {
+        if (!timer.isRest) continue;
+        candidate(fmt::format("{} ends with {}", timer.name, atEnd ? 1 : 0), [=](Graph& g, const Read& r) {
+          const Graph::Bool bit = truth(r, timer.atEnd);
+          return implies(g, truth(r, timer.running), atEnd ? bit : g.lnot(bit));
+        });
+      }
+      for (const std::uint64_t length : lengths) {
+        if (timer.length != 0 && timer.length != length) continue;
+        candidate(fmt::format("{} has {} ms as long to go", timer.name, length), [=](Graph& g, const Read& r) {
+          const auto number = [&](std::uint64_t value) { return g.literal(value, clockBits); };
+          const auto leftOf = [&](Graph::Bits passed) {
+            return g.select(g.ult(passed, number(length), clockBits), g.sub(number(length), passed, clockBits),
+                            number(0), clockBits);
+          };
+          const Graph::Bits left = leftOf(g.add(r(elapsed), g.zext(r(last), 16, clockBits), clockBits));
+          Graph::Bits theirs = g.zext(r(timer.count), timer.isRest ? restWidth : 16, clockBits);
+          if (!timer.isRest) {
+            if (timer.coming.start != noNode) theirs = g.add(theirs, g.zext(r(timer.coming), 16, clockBits), clockBits);
+            theirs = leftOf(g.mul(theirs, number(timer.unit), clockBits));
+          }
+          return implies(g, isIn(g, r, 1), g.equal(left, theirs, clockBits));
+        });
+      }
+    }
+  }
+  for (const CountingTimer& timer : timers) {
+    if (timer.isRest) continue;
+    const Value running = timer.running, bit = timer.bit, count = timer.count;
+    candidates_.push_back({timer.name + " counts below its preset", [=](Graph& g, const Read& r) {
+                             const std::uint64_t steps = timer.length / timer.unit;
+                             const Graph::Bool counts = g.land(truth(r, running), g.lnot(truth(r, bit)));
+                             return implies(g, counts, g.slt(r(count), g.literal(steps, 16), 16));
+                           }});
+    candidates_.push_back({timer.name + " counts from 0",
+                           [=](Graph& g, const Read& r) { return g.sle(g.literal(0, 16), r(count), 16); }});
+    if (timer.coming.start == noNode) continue;
+    const Value coming = timer.coming;
+    candidates_.push_back({fmt::format("whole steps of {} ms", timer.unit), [=](Graph& g, const Read& r) {
+                             const Graph::Bits passed =
+                                 g.mul(g.zext(r(coming), 16, clockBits), g.literal(timer.unit, clockBits), clockBits);
+                             return g.lor(truth(r, first), g.equal(g.zext(r(last), 16, clockBits), passed, clockBits));
+                           }});
+  }
 }
 
 void RelationCandidates::addTimers(EncodedScan& s7200, EncodedScan& step7, bool isStep7New) {
@@ -145,22 +300,24 @@ void RelationCandidates::addWholeTicks() {
                          }});
 }
 
-void RelationCandidates::addBits(EncodedScan& s7200, EncodedScan& step7, bool isStep7New) {
-  std::vector<Place> all, own;
-  for (const Cell& cell : s7200.cells()) {
-    if (isBitState(cell)) all.push_back(cell.place);
+void RelationCandidates::addBits(EncodedScan& all, EncodedScan& own, bool isOwnNew) {
+  const bool haveOneMemory = !all.plan().isIec() && !own.plan().isIec();
+  std::vector<Place> here, there;
+  for (const Cell& cell : all.cells()) {
+    if (isBitState(cell)) here.push_back(cell.place);
   }
-  for (const Cell& cell : step7.cells()) {
-    const bool isShared = std::ranges::any_of(s7200.cells(), [&](const Cell& c) { return c.place == cell.place; });
+  for (const Cell& cell : own.cells()) {
+    const bool isShared =
+        haveOneMemory && std::ranges::any_of(all.cells(), [&](const Cell& c) { return c.place == cell.place; });
     const bool isTimer = cell.place.isRegister && cell.place.reg == Reg::TimerBit;
-    if (isBitState(cell) && !isShared && !isTimer) own.push_back(cell.place);
+    if (isBitState(cell) && !isShared && !isTimer) there.push_back(cell.place);
   }
-  if (all.size() * own.size() > mostBitPairs) return;
-  for (const Place& there : own) {
-    const Value theirs = valueOf(step7, there, isStep7New);
-    for (const Place& here : all) {
-      const Value mine = valueOf(s7200, here, !isStep7New);
-      candidates_.push_back({fmt::format("{} and {}", nameOf(here), nameOf(there)),
+  if (here.size() * there.size() > mostBitPairs) return;
+  for (const Place& one : there) {
+    const Value theirs = valueOf(own, one, isOwnNew);
+    for (const Place& other : here) {
+      const Value mine = valueOf(all, other, !isOwnNew);
+      candidates_.push_back({fmt::format("{} and {}", nameOf(other), nameOf(one)),
                              [=](Graph& g, const Read& r) { return g.equal(r(mine), r(theirs), 1); }});
     }
   }

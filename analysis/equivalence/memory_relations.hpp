@@ -1,6 +1,6 @@
-// What memory of the two programs may have to do with each other beyond equal places, where one is an S7-200's and one
-// an S7-300/400's: a timer of either that measure the same time, bits that hold the same under other addresses.
-// Candidates only: correspondence.hpp keeps those that every scan keeps. Tested by tests/equivalence/families_test.cpp.
+// What memory of two programs of different families may have to do with each other beyond equal places: timers of
+// either that measure the same time, bits that hold the same under other addresses. Candidates only: correspondence.hpp
+// keeps those that every scan keeps. Tested by tests/equivalence/families_test.cpp.
 #pragma once
 
 #include <functional>
@@ -52,12 +52,28 @@ class RelationCandidates {
     bool isOffDelay = false;
   };
 
+  /// Of a timer of an S7-200 or S7-300/400, as far as it is compared with a clock of IEC 61131-3.
+  struct CountingTimer {
+    std::string name;
+    Value running{}, bit{};  ///< it counts where it runs, and its bit has not come yet
+    Value input{};           ///< what it was given last
+    Value atEnd{};           ///< with `isRest`: its bit when no ms are left
+    bool isOffDelay = false;
+    std::uint64_t length = 0;  ///< ms; 0: not known
+    std::uint64_t unit = 1;    ///< ms that one step of `count` is
+    Value count{};             ///< steps that have passed, or with `isRest` ms that are left
+    bool isRest = false;
+    Value coming{};  ///< steps that the next scan adds; nothing: none
+  };
+
+  std::vector<CountingTimer> countingTimers(EncodedScan& other, bool isNew);
+  void addClocks(EncodedScan& iec, EncodedScan& other, bool isIecNew);
   void addTimers(EncodedScan& s7200, EncodedScan& step7, bool isStep7New);
   void add(const std::string& name, const TimerPair& pair);
   void addWholeTicks();
   Value ticks10() const { return {time_.ticks10(), time_.saturated16(time_.ticksWithin(10)), false}; }
   Value ticks100() const { return {time_.ticks100(), time_.saturated16(time_.ticksWithin(100)), false}; }
-  void addBits(EncodedScan& s7200, EncodedScan& step7, bool isStep7New);
+  void addBits(EncodedScan& all, EncodedScan& own, bool isOwnNew);
   void addSeenEdges(EncodedScan& scan, bool isNew);
   static Value valueOf(EncodedScan& scan, const Place& place, bool isNew);
 

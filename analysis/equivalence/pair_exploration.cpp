@@ -297,6 +297,12 @@ std::vector<ObservedBit> namedOutputs(const Program& before, const Program& afte
     for (std::uint32_t i = 0; i < extentOf(operand); ++i) use(Address{first.area, first.index + i});
   };
   if (operands.empty()) {
+    for (const ComparedRange& range : options.pairs.comparedToo()) {
+      for (std::uint32_t i = 0; i < range.bits; ++i) {
+        const Address old{range.first.area, range.first.index + i};
+        add(old, options.pairs.after(old));
+      }
+    }
     for (const TraceSignal& signal : touchedSignals(before)) {
       if (isOutput(signal)) operands.push_back(signal.operand);
     }

@@ -185,6 +185,9 @@ void ProgramProduct::collectOutputs() {
     }
     return;
   }
+  for (const ComparedRange& range : options_.pairs.comparedToo()) {
+    for (std::uint32_t i = 0; i < range.bits; ++i) addOutput(known, {range.first.area, range.first.index + i});
+  }
   const auto bitsOf = [](EncodedScan& encoding) {
     std::vector<Address> found;
     for (const Place& place : encoding.places()) {
@@ -263,9 +266,12 @@ Node ProgramProduct::oldValue(const Place& place, bool atEnd) {
 
 /// Of two families: what OLD has there is its own only where it uses it, and timers and counters are not alike.
 bool ProgramProduct::isSharedPlace(const Place& newPlace) {
-  if (old_.encoding().plan().isStep7() == new_.encoding().plan().isStep7()) return true;
-  if (newPlace.isRegister)
-    return !isOfTimer(newPlace.reg) && !isOfCounter(newPlace.reg) && newPlace.reg != Reg::LastScan;
+  const Plan &before = old_.encoding().plan(), &after = new_.encoding().plan();
+  if (before.isStep7() == after.isStep7() && before.isIec() == after.isIec()) return true;
+  if (newPlace.isRegister) {
+    const bool haveLastScan = (before.isStep7() || before.isIec()) && (after.isStep7() || after.isIec());
+    return !isOfTimer(newPlace.reg) && !isOfCounter(newPlace.reg) && (newPlace.reg != Reg::LastScan || haveLastScan);
+  }
   for (std::uint32_t i = 0; i < newPlace.width; ++i) {
     const auto bit = options_.pairs.before(bitOf(newPlace, i));
     if (!bit || !oldBits_.contains({bit->area, bit->index})) return false;

@@ -26,7 +26,8 @@ std::vector<PulseSignal> comparedPulses(const Operands& observed, const AddressP
   if (!observed.empty() || latency > 0) return signals;
   for (std::uint32_t output = 0; output < isUsed.size(); ++output) {
     const Address address{Area::Q, pulseOutputs[output].point};
-    if (!isUsed[output] || pairs.after(address) != address) continue;
+    const bool isGivenAway = pairs.after(address) != address && !pairs.isSeparate();
+    if (!isUsed[output] || isGivenAway) continue;
     for (const PulseNumber number : pulseNumbers) {
       if (number == PulseNumber::Frequency && !forms[0].hasFrequency && !forms[1].hasFrequency) continue;
       signals.push_back({output, number});

@@ -1,5 +1,7 @@
 // Finds places for faults by the roles of instructions. A contact is "removed" by a contact of the bit that is always
-// on: instructions keep their numbers, and the power flow is that of the network without it.
+// on: instructions keep their numbers, and the power flow is that of the network without it. In a program of IEC
+// 61131-3 a BOOL variable that is read stands for a contact; it is removed by the value that the next AND or OR
+// ignores.
 #include "analysis/selfcheck/fault.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +10,9 @@
 #include <utility>
 
 #include "ir/dialect.hpp"
+#include "ir/iec/cpu.hpp"
+#include "ir/iec/expression_role.hpp"
+#include "ir/iec/isa.hpp"
 
 namespace rungproof {
 
@@ -157,6 +162,128 @@ class Finder {
   std::vector<Fault> faults_;
 };
 
+/// Faults of programs of IEC 61131-3, in the blocks of the project.
+class ExpressionFaults {
+ public:
+  explicit ExpressionFaults(const Program& program) : program_(program) {
+    for (const Desc& desc : iecInstructions().all()) {
+      Instruction one;
+      one.desc = &desc;
+      const ExpressionRole role = expressionRole(one);
+      if (role == ExpressionRole::Not) not_ = &desc;
+      if (role == ExpressionRole::And) and_ = &desc;
+      if (role == ExpressionRole::Or) or_ = &desc;
+      if (role == ExpressionRole::Constant) constant_ = &desc;
+    }
+  }
+
+  std::vector<Fault> run() {
+    for (pou_ = 0; pou_ < program_.pous.size(); ++pou_) {
+      const Pou& pou = program_.pous[pou_];
+      if (pou.isBuiltIn) continue;
+      for (network_ = 0; network_ < pou.networks.size(); ++network_) {
+        code_ = &pou.networks[network_].instructions;
+        for (index_ = 0; index_ < code_->size(); ++index_) atInstruction();
+        if (network_ + 1 < pou.networks.size()) swapWithNext(pou.networks[network_], pou.networks[network_ + 1]);
+      }
+    }
+    return std::move(faults_);
+  }
+
+ private:
+  ExpressionRole roleAt(std::size_t i) const {
+    return i < code_->size() ? expressionRole((*code_)[i]) : ExpressionRole::Other;
+  }
+  Fault& fault(FaultKind kind, std::string text, const Desc* desc = nullptr, Operands operands = {}) {
+    Fault& made = faults_.emplace_back();
+    made.kind = kind;
+    made.text = std::move(text);
+    made.pou = pou_;
+    made.network = network_;
+    made.instruction = index_;
+    made.desc = desc;
+    made.operands = std::move(operands);
+    return made;
+  }
+
+  void atInstruction() {
+    const Instruction& instruction = (*code_)[index_];
+    const bool isTruth = isOfTruth(instruction);
+    switch (expressionRole(instruction)) {
+      case ExpressionRole::LoadBit: contact(instruction); break;
+      case ExpressionRole::And:
+        if (isTruth) fault(FaultKind::Connective, "OR for AND", or_, instruction.operands);
+        break;
+      case ExpressionRole::Or:
+        if (isTruth) fault(FaultKind::Connective, "AND for OR", and_, instruction.operands);
+        break;
+      case ExpressionRole::Constant: isTruth ? setForReset(instruction) : number(instruction); break;
+      default: break;
+    }
+  }
+
+  void contact(const Instruction& instruction) {
+    const Symbol* symbol = program_.symbolOf(instruction.operands[0]);
+    if (symbol == nullptr || symbol->name.find("__") != std::string::npos) return;  // made, and not written
+    fault(FaultKind::Polarity, fmt::format("NOT {0} for {0}", symbol->name), not_, {constant(1)}).isInserted = true;
+    if (const std::optional<bool> ignored = ignoredValue())
+      fault(FaultKind::RemovedContact, symbol->name, constant_, {constant(*ignored ? 1 : 0), constant(1)});
+  }
+  /// What the operation that takes the value ignores: AND TRUE, OR FALSE; nothing where none takes it.
+  std::optional<bool> ignoredValue() const {
+    bool isNegated = false;
+    std::size_t above = 0;  // values on the value that is followed
+    for (std::size_t i = index_ + 1; i < code_->size(); ++i) {
+      const Instruction& next = (*code_)[i];
+      const StackUse use = stackUse(next);
+      if (above >= use.pops && next.desc->control == Control::None) {
+        above += use.pushes - use.pops;
+        continue;
+      }
+      const ExpressionRole role = roleAt(i);
+      if (role == ExpressionRole::Not) isNegated = !isNegated;
+      if (role == ExpressionRole::And || role == ExpressionRole::Or) return (role == ExpressionRole::And) != isNegated;
+      if (role != ExpressionRole::Not) return std::nullopt;
+    }
+    return std::nullopt;
+  }
+  /// TRUE or FALSE that is assigned as it is.
+  void setForReset(const Instruction& instruction) {
+    if (roleAt(index_ + 1) != ExpressionRole::StoreBit) return;
+    const Symbol* symbol = program_.symbolOf((*code_)[index_ + 1].operands[0]);
+    if (symbol == nullptr || symbol->name.find("__") != std::string::npos) return;
+    const bool isSet = instruction.operands[0].value != 0;
+    fault(FaultKind::SetForReset,
+          fmt::format("{0} := {1} for {0} := {2}", symbol->name, isSet ? "FALSE" : "TRUE", isSet ? "TRUE" : "FALSE"),
+          constant_, {constant(isSet ? 0 : 1), constant(1)});
+  }
+  /// Presets, limits, steps and other numbers.
+  void number(const Instruction& instruction) {
+    const std::int64_t given = instruction.operands[0].value, width = instruction.operands[1].value;
+    if (given < 2 || width > 32) return;
+    for (const std::int64_t value : {given / 2, given * 2}) {
+      if (value >= std::int64_t{1} << (width - 1)) continue;
+      fault(FaultKind::Preset, fmt::format("{} for {}", value, given), constant_, {constant(value), constant(width)});
+    }
+  }
+  void swapWithNext(const Network& one, const Network& next) {
+    const auto isPlain = [](const Network& network) {
+      return !network.instructions.empty() && std::ranges::all_of(network.instructions, [](const Instruction& i) {
+        return i.desc->control == Control::None || i.desc->control == Control::Call;
+      });
+    };
+    if (!isPlain(one) || !isPlain(next)) return;
+    index_ = 0;
+    fault(FaultKind::SwappedNetworks, fmt::format("statements {} and {} in the other order", one.number, next.number));
+  }
+
+  const Program& program_;
+  const Desc *not_ = nullptr, *and_ = nullptr, *or_ = nullptr, *constant_ = nullptr;
+  std::uint32_t pou_ = 0, network_ = 0, index_ = 0;
+  const std::vector<Instruction>* code_ = nullptr;
+  std::vector<Fault> faults_;
+};
+
 /// The instructions of the rung around one of them: from the load that begins it to the last output before the next
 /// one.
 std::pair<std::size_t, std::size_t> rungAround(const std::vector<Instruction>& instructions, std::size_t at) {
@@ -189,6 +316,17 @@ void exchangeRungs(Pou& pou, const Fault& fault) {
   first.insert(at(first, aBegin), b.begin(), b.end());
 }
 
+/// Clocks stand still where no number of the program tells more; another number may ask for more.
+void letClocksRun(Program& program) {
+  for (Pou& pou : program.pous) {
+    for (Network& network : pou.networks) {
+      for (Instruction& instruction : network.instructions) {
+        if (expressionRole(instruction) == ExpressionRole::PassTime) instruction.operands[2] = constant(0x7FFFFFFF);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::string_view faultKindName(FaultKind kind) {
@@ -201,11 +339,14 @@ std::string_view faultKindName(FaultKind kind) {
     case FaultKind::TimerKind: return "timer kind";
     case FaultKind::Preset: return "preset";
     case FaultKind::SwappedNetworks: return "swapped networks";
+    case FaultKind::Connective: return "connective";
   }
   return {};
 }
 
-std::vector<Fault> faultsOf(const Program& program) { return Finder(program).run(); }
+std::vector<Fault> faultsOf(const Program& program) {
+  return isIec(program.target) ? ExpressionFaults(program).run() : Finder(program).run();
+}
 
 Program planted(const Program& program, const Fault& fault) {
   Program changed = program;
@@ -214,10 +355,17 @@ Program planted(const Program& program, const Fault& fault) {
     std::swap(pou.networks[fault.network].instructions, pou.networks[fault.network + 1].instructions);
   } else if (fault.kind == FaultKind::LatchOrder) {
     exchangeRungs(pou, fault);
+  } else if (fault.isInserted) {
+    std::vector<Instruction>& instructions = pou.networks[fault.network].instructions;
+    Instruction made = instructions[fault.instruction];
+    made.desc = fault.desc;
+    made.operands = fault.operands;
+    instructions.insert(instructions.begin() + fault.instruction + 1, std::move(made));
   } else {
     Instruction& instruction = pou.networks[fault.network].instructions[fault.instruction];
     instruction.desc = fault.desc;
     instruction.operands = fault.operands;
+    if (fault.kind == FaultKind::Preset && isIec(program.target)) letClocksRun(changed);
   }
   return changed;
 }

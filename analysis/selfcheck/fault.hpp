@@ -1,4 +1,4 @@
-// Planted faults: slips that people make in ladder programs, as changed copies of a program. A property set that
+// Planted faults: slips that people make in programs, as changed copies of a program. A property set that
 // notices none of them says little. Used by the self-check (self_check.hpp). Covered by tests/selfcheck.
 #pragma once
 
@@ -19,16 +19,18 @@ enum class FaultKind : std::uint8_t {
   TimerKind,        ///< TON for TOF or the reverse
   Preset,           ///< half or twice the preset of a timer or counter
   SwappedNetworks,  ///< two neighbours in the other order
+  Connective,       ///< IEC 61131-3: OR for AND or the reverse
 };
 std::string_view faultKindName(FaultKind kind);
 
 struct Fault {
   FaultKind kind = FaultKind::Polarity;
-  std::string text;                ///< "LDN I0.3 for LD I0.3"; of a removed contact "LD I0.3"
+  std::string text;                ///< "LDN I0.3 for LD I0.3", "NOT Stop for Stop"; of a removed contact "LD I0.3"
   std::uint32_t pou = 0;           ///< index in Program::pous
   std::uint32_t network = 0;       ///< index in Pou::networks
   std::uint32_t instruction = 0;   ///< index in Network::instructions; of a network its first one
   const Desc* desc = nullptr;      ///< what the instruction becomes; nullptr: unchanged
+  bool isInserted = false;         ///< that comes behind the instruction instead
   Operands operands{};             ///< with desc: its operands
   std::uint32_t otherNetwork = 0;  ///< LatchOrder: the second rung
   std::uint32_t otherInstruction = 0;
@@ -38,7 +40,7 @@ struct Fault {
 std::vector<Fault> faultsOf(const Program& program);
 
 /// The program with the fault. Instructions keep their numbers, so that the two programs can be compared place by
-/// place; call Program::number() for anything that wants them in order.
+/// place, but for one that is inserted; call Program::number() for anything that wants them in order.
 Program planted(const Program& program, const Fault& fault);
 
 }  // namespace rungproof

@@ -9,7 +9,10 @@
 #include <thread>
 
 #include "analysis/equivalence/equivalence.hpp"
+#include "analysis/equivalence/output_name.hpp"
 #include "analysis/selfcheck/side_by_side.hpp"
+#include "ir/iec/cpu.hpp"
+#include "ir/iec/variables.hpp"
 
 namespace rungproof {
 
@@ -30,6 +33,7 @@ class Checker {
     for (const ProofResult& result : before) {
       if (!result.builtin) before_[result.property.name] = result.outcome;
     }
+    if (isIec(program.target)) outputs_ = outputVariables(program);
     // A property without a good verdict cannot get a worse one; it would only take time.
     std::erase_if(asked_.properties, [&](const Property& property) {
       const auto known = before_.find(property.name);
@@ -95,6 +99,7 @@ class Checker {
     EquivalenceOptions both;
     both.prover = options;
     both.interruptsInside = true;
+    both.observed = outputs_;
     // The cheap looks first: most faults show at once, or can be seen to do nothing in any single scan.
     const SideBySide::Seen seen = runs_.look(numbered, proved_);
     if (!seen.noticedBy.empty()) {
@@ -143,7 +148,9 @@ class Checker {
       case Equality::Different: result.fate = FaultFate::Unnoticed; break;
       case Equality::Unknown: result.fate = FaultFate::Undecided; break;
     }
-    if (found.run) result.where = found.run->signal + " in scan " + std::to_string(found.run->scan);
+    if (found.run)
+      result.where = outputName(program_, found.run->addressBefore, found.run->signal) + " in scan " +
+                     std::to_string(found.run->scan);
   }
 
   const Program& program_;
@@ -153,6 +160,7 @@ class Checker {
   std::vector<const Property*> proved_;  ///< of these
   const SideBySide runs_;
   std::map<std::string, Outcome> before_;
+  Operands outputs_;  ///< of IEC 61131-3
 };
 
 }  // namespace

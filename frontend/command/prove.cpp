@@ -29,6 +29,7 @@
 #include "frontend/text/excerpt.hpp"
 #include "frontend/trace_format.hpp"
 #include "frontend/watch.hpp"
+#include "ir/iec/variables.hpp"
 
 namespace rungproof {
 
@@ -251,8 +252,8 @@ void proveInto(Report& part, const Context& context, const Settings& settings, c
     if (result.builtin) builtin.push_back(&result);
   }
   for (Finding& finding : findingsOf(builtin, Shown::Run)) part.findings.push_back(std::move(finding));
-  if (arguments.selfCheck && isIec(program.target)) {
-    context.err << "rungproof: no faults are planted in programs of IEC 61131-3\n";
+  if (arguments.selfCheck && isIec(program.target) && outputVariables(program).empty()) {
+    context.err << "rungproof: no faults are planted: the program has no output by which a fault could be seen\n";
   } else if (arguments.selfCheck && unread.empty() && properties.unread.empty()) {
     part.selfCheck = plantFaults(context, program, properties, options, proof);
   } else if (arguments.selfCheck) {

@@ -80,10 +80,18 @@ const Type* Lowering::scaledDuration(Scope& scope, const std::string& op, const 
   const bool isReal = number != nullptr && number->kind == Kind::Real;
   if (number != nullptr && !isReal && number->kind != Kind::Integer)
     refuse(span, "a duration is multiplied or divided by a number");
+  // A divisor that the bits of a duration cut or show as negative: it is divided with twice as many.
+  const bool dividesByWhole = op == "/" && number != nullptr && !isReal;
+  if (dividesByWhole && number->isLong() && !number->isSigned)
+    refuse(span, fmt::format("a duration divided by {} is not modelled", number->name), Syntax::IecNotModelled);
+  const bool isBroad =
+      dividesByWhole && !time.isLong() && (number->isLong() || (!number->isSigned && number->width == time.width));
   const auto operand = [&](const Expr& side, bool isTime) {
     const Type* type = value(scope, side, isTime ? &time : isReal ? number : elementaryType("DINT"));
     if (isTime) convertImplicitly(*type, time, side.span);
-    if (!isReal) {
+    if (isBroad) {
+      emit("RESIZE", {type->width, 64, type->isSigned ? 1 : 0});
+    } else if (!isReal) {
       if (!isTime) emit("RESIZE", {type->width, time.width, type->isSigned ? 1 : 0});
     } else if (isTime) {
       emit("RESIZE", {time.width, 64, 1});
@@ -99,6 +107,9 @@ const Type* Lowering::scaledDuration(Scope& scope, const std::string& op, const 
     emit("FROM.LREAL", {time.width, 1, 1});
   } else if (op == "*") {
     emit("MUL", {time.width});
+  } else if (isBroad) {
+    emit("DIV", {64, 1});
+    emit("RESIZE", {64, time.width, 0});
   } else {
     emit("DIV", {time.width, 1});
   }

@@ -157,6 +157,29 @@ END_IF;
 END_FUNCTION_BLOCK
 )";
 
+/// The decimal digits of a number, and a minus sign: what INT_TO_STRING and its kin make on every implementation.
+constexpr std::string_view digits = R"(
+FUNCTION __UNSIGNED_TEXT : STRING[11]
+VAR_INPUT X : UDINT; END_VAR
+VAR REST : UDINT; I : INT; MADE : STRING[11]; END_VAR
+REST := X;
+FOR I := 1 TO 10 DO
+  IF I = 1 OR REST > 0 THEN
+    MADE := CONCAT(MID('0123456789', 1, UDINT_TO_DINT(REST MOD 10) + 1), MADE);
+    REST := REST / 10;
+  END_IF;
+END_FOR;
+__UNSIGNED_TEXT := MADE;
+END_FUNCTION
+
+FUNCTION __SIGNED_TEXT : STRING[11]
+VAR_INPUT X : DINT; END_VAR
+IF X < 0 THEN __SIGNED_TEXT := CONCAT('-', __UNSIGNED_TEXT(DINT_TO_UDINT(-X)));
+ELSE __SIGNED_TEXT := __UNSIGNED_TEXT(DINT_TO_UDINT(X));
+END_IF;
+END_FUNCTION
+)";
+
 }  // namespace
 
 void addStandardBlocks(Program& program, ProjectSyntax& project) {
@@ -174,6 +197,7 @@ void addStandardBlocks(Program& program, ProjectSyntax& project) {
   text += timers;
   text += steps;
   text += regulation;
+  text += digits;
   const std::uint32_t file = program.sources->add("blocks of IEC 61131-3", text);
   SyntaxSink sink(program, file);
   ProjectSyntax library;

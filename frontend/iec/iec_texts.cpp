@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "frontend/iec/iec_lowering.hpp"
+#include "frontend/iec/iec_tree.hpp"
 
 namespace rungproof::iec {
 
@@ -60,6 +61,35 @@ void Lowering::writeTextInitial(std::uint32_t offset, std::uint32_t bytes, const
   initial_[offset] = static_cast<std::uint8_t>(length);
   for (std::size_t i = 0; i < length; ++i) initial_[offset + 1 + i] = static_cast<std::uint8_t>((*characters)[i]);
 }
+
+namespace {
+
+/// INT_TO_STRING(x) and its kin as a call of the library function that writes the digits, BOOL_TO_STRING as a choice of
+/// two texts; nullptr for a type whose texts differ between implementations. `from`: in front of _TO_, may be empty.
+ExprPtr textOfWhole(const Type& source, const std::string& from, const Expr& value) {
+  if (source.kind == Kind::Bool) {
+    ExprPtr made = callOf({"SEL"}, value.span);
+    addArgument(*made, copyOf(value));
+    for (const char* const word : {"'FALSE'", "'TRUE'"}) {
+      ExprPtr text = literalOf(word, value.span);
+      text->kind = ExprKind::Text;
+      addArgument(*made, std::move(text));
+    }
+    return made;
+  }
+  if (source.kind != Kind::Integer || source.isLong()) return nullptr;
+  const std::string widest = source.isSigned ? "DINT" : "UDINT";
+  ExprPtr number = copyOf(value);
+  if (!from.empty() && from != widest) {
+    number = callOf({from + "_TO_" + widest}, value.span);
+    addArgument(*number, copyOf(value));
+  }
+  ExprPtr made = callOf({source.isSigned ? "__SIGNED_TEXT" : "__UNSIGNED_TEXT"}, value.span);
+  addArgument(*made, std::move(number));
+  return made;
+}
+
+}  // namespace
 
 /// The place of the value of an expression that is a text.
 Lowering::TextAt Lowering::text(Scope& scope, const Expr& expr) {
@@ -214,6 +244,13 @@ Lowering::TextAt Lowering::textFunction(Scope& scope, const std::string& name, c
       emit("ADD", {32});
     });
     return join(replaces ? join(front, what) : front, rest);
+  }
+  if (isText(conversionTarget(name))) {
+    need(1, 1);
+    const std::string from = name.starts_with("TO_") ? std::string() : name.substr(0, name.find("_TO_"));
+    const Type* source = from.empty() ? typeOf(scope, *values[0]) : elementaryType(from);
+    const ExprPtr made = source != nullptr ? textOfWhole(*source, from, *values[0]) : nullptr;
+    if (made != nullptr) return text(scope, *made);
   }
   if (conversionTarget(name) != nullptr || isStandardFunction(name))
     refuse(expr.span, fmt::format("{}: texts that it makes are not modelled", name), Syntax::IecNotModelled);

@@ -123,7 +123,7 @@ OperandLookup lookupOfVariables(const Program& program) {
     names->emplace(iec::foldedName(symbol.name), symbol.address);
   }
   return [names](std::string_view text) -> std::optional<Operand> {
-    const auto found = names->find(iec::foldedName(text));
+    const auto found = names->find(iec::foldedName(text.starts_with('%') ? text.substr(1) : text));
     return found == names->end() ? std::nullopt : std::optional(found->second);
   };
 }

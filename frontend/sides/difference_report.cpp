@@ -75,8 +75,11 @@ DifferenceReport::Inputs DifferenceReport::inputs() const {
   };
   const auto before = valuesIn(*sides_.runBefore, run_.before), after = valuesIn(*sides_.runAfter, run_.after);
   const auto isIdleIn = [](const Values& values) { return std::ranges::all_of(values, [](auto v) { return v == 0; }); };
+  const bool isOfOne = sides_.pairs.isSeparate();  // each column is of one program
   Inputs result;
   for (const auto& [name, column] : before) {
+    if (isOfOne) result.before.push_back(column.first);
+    if (isOfOne) continue;
     const auto other = after.find(name);
     const bool isAlike = other == after.end()
                              ? !sides_.pairs.after(addressOf(column.first.operand)) || sides_.pairs.empty()
@@ -85,6 +88,8 @@ DifferenceReport::Inputs DifferenceReport::inputs() const {
     (isAlike ? result.common : result.before).push_back(column.first);
   }
   for (const auto& [name, column] : after) {
+    if (isOfOne) result.after.push_back(column.first);
+    if (isOfOne) continue;
     const auto other = before.find(name);
     const bool isAlike = other == before.end() ? sides_.pairs.empty() : other->second.second == column.second;
     if (other != before.end() && isAlike) continue;
@@ -191,8 +196,9 @@ void DifferenceReport::describe(Comparison& comparison, const std::string& form)
   addOperand(before, *sides_.runBefore, run_.addressBefore);
   addOperand(after, *sides_.runAfter, run_.addressAfter);
   const Trace table = joined(common, before, after);
-  if (isIec(sides_.runBefore->target) && !before.empty() && !after.empty() && !table.rows.empty()) {
-    comparison.signal = before.front().name;  // the variable, not the bit of it
+  const bool hasVariables = isIec(sides_.runBefore->target) || isIec(sides_.runAfter->target);
+  if (hasVariables && !before.empty() && !after.empty() && !table.rows.empty()) {
+    comparison.signal = (isIec(sides_.runBefore->target) ? before : after).front().name;  // the variable, not its bit
     comparison.expected = table.rows.back().values[common.size()].value_or(0);
     comparison.actual = table.rows.back().values[common.size() + before.size()].value_or(0);
   }

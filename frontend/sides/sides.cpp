@@ -249,9 +249,8 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
   sides.storedAfter = storedBlocksOf(sides.filesAfter, context.side(ProgramSide::New));
   if (arguments.values == "old") takeValues(sides.before.program, sides.after.program);
   const bool hasVariables = isIec(sides.before.program.target);
-  if (hasVariables != isIec(sides.after.program.target))
-    failures.push_back({"a program of IEC 61131-3 is compared with one of its own family only", arguments.after,
-                        "prove the same properties of both"});
+  const bool isOneIec = hasVariables != isIec(sides.after.program.target);
+  if (isOneIec) sides.pairs.separate();
   guessFamily(context, {{&context.side(ProgramSide::Old), &sides.before.program},
                         {&context.side(ProgramSide::New), &sides.after.program}});
   for (const std::string& name : arguments.properties) {
@@ -283,7 +282,10 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
     else
       sides.observed.push_back(*operand);
   }
-  if (hasVariables && isIec(sides.after.program.target)) pairVariables(sides, failures);
+  if (isOneIec)
+    pairWithOtherFamily(sides, failures);
+  else if (hasVariables)
+    pairVariables(sides, failures);
   if (arguments.asDownloaded) {
     sides.leftOutBefore = leaveOut(sides.before.program);
     sides.leftOutAfter = leaveOut(sides.after.program);

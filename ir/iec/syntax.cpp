@@ -1,13 +1,11 @@
 // Names of IEC 61131-3.
 #include "ir/iec/syntax.hpp"
 
-#include <cctype>
-
 namespace rungproof::iec {
 
 std::string foldedName(std::string_view name) {
   std::string folded(name);
-  for (char& c : folded) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  for (char& c : folded) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;  // no look at the locale
   return folded;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ir/iec/cpu.hpp"
 #include "ir/iec/dialect.hpp"
 #include "ir/iec/syntax.hpp"
 
@@ -48,6 +49,18 @@ bool ProgramOutputs::contains(const Operand& place) const {
   return std::ranges::any_of(program_.symbols, [&](const Symbol& symbol) {
     return symbol.address.offset == place.offset && isNamed(iec::foldedName(symbol.name));
   });
+}
+
+Operands outputVariables(const Program& program) {
+  const ProgramOutputs outputs(program);
+  std::set<std::uint32_t> seen;
+  Operands found;
+  for (const Symbol& symbol : program.symbols) {
+    if (!outputs.contains(symbol.address) || !seen.insert(symbol.address.offset).second) continue;
+    found.push_back(symbol.address);
+    found.back().text = symbol.name;
+  }
+  return found;
 }
 
 bool ProgramOutputs::isNamed(const std::string& foldedName) const {

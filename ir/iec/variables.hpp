@@ -30,4 +30,7 @@ class ProgramOutputs {
   std::set<std::string> names_;
 };
 
+/// The place of each of these outputs, once.
+Operands outputVariables(const Program& program);
+
 }  // namespace rungproof

@@ -112,4 +112,15 @@ TEST(MapFile, MistakesHaveTheirLine) {
   EXPECT_EQ(failureOf("T37 = M0.0"), "the two sides of 'T37 = M0.0' are not of one size");
 }
 
+TEST(AddressPairs, SeparateProgramsShareOnlyWhatIsPaired) {
+  AddressPairs pairs;
+  pairs.separate();
+  EXPECT_TRUE(pairs.add({Area::V, 8}, {Area::Q, 0}, 1));
+  EXPECT_EQ(pairs.after(Address{Area::V, 8}), (Address{Area::Q, 0}));
+  EXPECT_EQ(pairs.before(Address{Area::Q, 0}), (Address{Area::V, 8}));
+  EXPECT_FALSE(pairs.after(Address{Area::V, 9}).has_value());
+  EXPECT_FALSE(pairs.before(Address{Area::V, 8}).has_value());
+  EXPECT_FALSE(pairs.before(Address{Area::M, 0}).has_value());
+}
+
 }  // namespace rungproof::test

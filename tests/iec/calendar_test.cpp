@@ -39,6 +39,25 @@ TEST(IecCalendar, SumsAndDifferences) {
   EXPECT_EQ(resultOfDate("BOOL", "r := d < D#2024-02-29 AND u > DT#2024-02-28-00:00:00;"), 1);
 }
 
+// 10 s / 3000000000 is less than a ms, and 2^32 + 2 is not 2: the divisor has more bits than a TIME.
+TEST(IecCalendar, DurationsAreDividedByWideNumbers) {
+  IecRun run(
+      iecProgram("VAR a, b, c, d : TIME; u : UDINT := 3000000000; l : LINT := 4294967298; m : LINT := -2; e : LTIME; "
+                 "END_VAR",
+                 "a := T#24d / u; b := T#10s / l; c := T#10s / m; d := DIVTIME(T#24d, u); e := LTIME#9s / u;"));
+  run.scan();
+  EXPECT_EQ(run.get("a"), 0);
+  EXPECT_EQ(run.get("b"), 0);
+  EXPECT_EQ(run.get("c"), -5000);
+  EXPECT_EQ(run.get("d"), 0);
+  EXPECT_EQ(run.get("e"), 3);
+  const auto said = [](const std::string& statement) {
+    return findingsIec(readIecText(iecProgram("VAR t : TIME; l : LTIME; u : ULINT; END_VAR", statement)));
+  };
+  EXPECT_NE(said("t := t / u;").find("a duration divided by ULINT is not modelled"), std::string::npos);
+  EXPECT_NE(said("l := l / u;").find("a duration divided by ULINT is not modelled"), std::string::npos);
+}
+
 TEST(IecCalendar, PartsOfADateAndTime) {
   EXPECT_EQ(resultOfDate("DATE", "r := DT_TO_DATE(u);"), lastOfFebruary);
   EXPECT_EQ(resultOfDate("TOD", "r := DATE_AND_TIME_TO_TIME_OF_DAY(u);"), clock15 * 1000);

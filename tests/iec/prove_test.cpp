@@ -1,6 +1,10 @@
 // Verdicts on programs of IEC 61131-3: what is free, what open points do to a verdict, what is not covered. The reason
 // stands beside each.
+#include <map>
+
+#include "analysis/selfcheck/self_check.hpp"
 #include "tests/iec/iec_output.hpp"
+#include "tests/iec/iec_run.hpp"
 
 namespace rungproof {
 namespace {
@@ -134,6 +138,69 @@ TEST(IecProve, WitnessesRepeat) {
                        {in, again, errors}),
             0)
       << again.str() << errors.str();
+}
+
+/// Faults of a program with their fates, as "kind: text".
+std::map<std::string, FaultResult> plantedInto(const std::string& text) {
+  Program program = readIecText(text);
+  const PropertySet set = readProperties(program, {}, lookupIn(program));
+  SelfCheckOptions options;
+  options.prover.timeout = 30;
+  options.prover.time = {100, 100};
+  options.seconds = 30;
+  options.prover.jobs = 1;
+  const ProofRun before = prove(program, set, options.prover);
+  std::map<std::string, FaultResult> fates;
+  for (const FaultResult& result : selfCheck(program, set, before.results, options).results)
+    fates.emplace(fmt::format("{}: {}", faultKindName(result.fault.kind), result.fault.text), result);
+  return fates;
+}
+
+// The property speaks of stop alone. Two FALSE for `spare` change nothing: it is in series with itself.
+TEST(IecSelfCheck, TellsWhatThePropertiesNotice) {
+  const std::map<std::string, FaultResult> faults = plantedInto(
+      "//@ prove stop: stop implies not motor\nPROGRAM p\nVAR_INPUT start, stop, spare : BOOL; END_VAR\n"
+      "VAR_OUTPUT motor, lamp : BOOL; END_VAR\nmotor := (start OR motor) AND NOT stop;\n"
+      "lamp := spare AND spare;\nEND_PROGRAM\n");
+  const auto fate = [&](const std::string& name) {
+    const auto found = faults.find(name);
+    EXPECT_NE(found, faults.end()) << name;
+    return found == faults.end() ? FaultFate::Undecided : found->second.fate;
+  };
+  EXPECT_EQ(fate("contact polarity: NOT stop for stop"), FaultFate::Noticed);
+  EXPECT_EQ(faults.at("contact polarity: NOT stop for stop").noticedBy, "stop");
+  EXPECT_EQ(fate("removed contact: stop"), FaultFate::Noticed);  // NOT stop becomes TRUE
+  EXPECT_EQ(fate("contact polarity: NOT start for start"), FaultFate::Unnoticed);
+  EXPECT_EQ(faults.at("contact polarity: NOT start for start").where.find("motor in scan "), 0U);
+  EXPECT_EQ(fate("removed contact: start"), FaultFate::Unnoticed);
+  EXPECT_EQ(fate("removed contact: spare"), FaultFate::NoEffect);
+  EXPECT_EQ(fate("connective: AND for OR"), FaultFate::Unnoticed);
+  EXPECT_EQ(fate("connective: OR for AND"), FaultFate::Noticed);
+  EXPECT_EQ(fate("swapped networks: statements 1 and 2 in the other order"), FaultFate::NoEffect);
+}
+
+// Numbers are halved and doubled, TRUE and FALSE that are assigned change places; blocks of the standard stay whole.
+TEST(IecSelfCheck, PlantsIntoNumbersAndAssignments) {
+  const std::map<std::string, FaultResult> faults = plantedInto(
+      "//@ prove late: lamp implies held(run, 1500ms)\nPROGRAM p\nVAR_INPUT run : BOOL; END_VAR\n"
+      "VAR_OUTPUT lamp : BOOL; END_VAR\nVAR t : TON; END_VAR\nt(IN := run, PT := T#2s);\n"
+      "IF t.Q THEN lamp := TRUE; ELSE lamp := FALSE; END_IF;\nEND_PROGRAM\n");
+  const auto fate = [&](const std::string& name) {
+    const auto found = faults.find(name);
+    EXPECT_NE(found, faults.end()) << name;
+    return found == faults.end() ? FaultFate::Undecided : found->second.fate;
+  };
+  EXPECT_EQ(fate("preset: 1000 for 2000"), FaultFate::Noticed);
+  EXPECT_EQ(fate("preset: 4000 for 2000"), FaultFate::Unnoticed);
+  EXPECT_EQ(fate("set for reset: lamp := TRUE for lamp := FALSE"), FaultFate::Noticed);
+  EXPECT_EQ(fate("set for reset: lamp := FALSE for lamp := TRUE"), FaultFate::Noticed);  // the lamp is never on
+  for (const auto& [name, result] : faults) EXPECT_EQ(name.find("ELAPSED"), std::string::npos) << name;
+}
+
+TEST(IecSelfCheck, NeedsAnOutput) {
+  const IecOutput output = proofOfIec(
+      "//@ prove p: never q\nPROGRAM p\nVAR q : BOOL; END_VAR\nq := FALSE;\nEND_PROGRAM\n", {"--self-check"});
+  EXPECT_TRUE(output.has("no faults are planted: the program has no output")) << output.text;
 }
 
 }  // namespace

@@ -94,6 +94,32 @@ TEST(IecReading, DamagedTextsEndInMessages) {  // each prefix of a text, and eac
   }
 }
 
+TEST(IecReading, DamagedConfigurationsEndInMessages) {  // the same of tasks, paths from outside, edges, texts, __TRY
+  const std::string whole =
+      "FUNCTION_BLOCK f VAR_INPUT x : BOOL R_EDGE; y : BOOL F_EDGE; END_VAR VAR p : POINTER TO INT; END_VAR ; "
+      "END_FUNCTION_BLOCK\nPROGRAM a VAR s : STRING[5] := 'a$N'; g : f; n : INT; l AT %QX* : BOOL; END_VAR\n"
+      "__TRY n := 1 / n; __CATCH(e) s := INT_TO_STRING(n); __FINALLY g(x := l, y := l); __ENDTRY;\nEND_PROGRAM\n"
+      "CONFIGURATION c VAR_GLOBAL k AT %IX0.0 : BOOL; END_VAR\nRESOURCE r ON q TASK t(SINGLE := k, PRIORITY := 1);\n"
+      "PROGRAM i WITH t : a; END_RESOURCE\nVAR_ACCESS v : r.i.n : INT READ_WRITE; END_VAR\n"
+      "VAR_CONFIG r.i.l AT %QX0.1 : BOOL := TRUE; END_VAR\nEND_CONFIGURATION\n";
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    static_cast<void>(readIecText(whole.substr(0, i)));
+    const Program program = readIecText(whole.substr(0, i) + whole.substr(i + 1));
+    EXPECT_GT(program.sources->size(), 0U);
+  }
+}
+
+// What is not modelled is an error with its place; what depends on it is not covered.
+TEST(IecReading, PlacesAndValuesOutOfVarConfigAreNotCovered) {
+  const std::string text =
+      "//@ prove first: n <> 5\nPROGRAM a VAR_OUTPUT n : INT; END_VAR n := n; END_PROGRAM\n"
+      "CONFIGURATION c RESOURCE r ON q TASK t(INTERVAL := T#10ms, PRIORITY := 1); PROGRAM i WITH t : a; END_RESOURCE\n"
+      "VAR_CONFIG r.i.n : INT := 5; END_VAR\nEND_CONFIGURATION\n";
+  const IecOutput output = runIec({"prove"}, text);
+  EXPECT_TRUE(output.has("NOT COVERED  first") && output.has("'VAR_CONFIG' is not read in a configuration"))
+      << output.text;
+}
+
 TEST(IecReading, KeywordsAndNamesInAnyCase) {
   IecRun run("program Main var Counter : int; end_var COUNTER := counter + 1; end_program\n");
   run.scan();

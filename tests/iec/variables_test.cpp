@@ -46,5 +46,23 @@ TEST(VariablesByPlace, OutputsOfABlockAreNotThoseOfTheProgram) {
   EXPECT_FALSE(outputs.contains(placeOf(program, "First.Runs")));
 }
 
+TEST(VariablesByPlace, AnAddressIsANameWithItsSignOrWithout) {
+  const Program program = readIecText("PROGRAM P\nVAR Valve AT %QX0.1 : BOOL; END_VAR\nValve := TRUE;\nEND_PROGRAM\n");
+  const OperandLookup lookup = lookupIn(program);
+  for (const std::string_view name : {"%QX0.1", "QX0.1", "%Q0.1", "%qx0.1", "valve"}) {
+    const std::optional<Operand> found = lookup(name);
+    ASSERT_TRUE(found.has_value()) << name;
+    EXPECT_EQ(toString(*found), toString(placeOf(program, "Valve"))) << name;
+  }
+  EXPECT_FALSE(lookup("%QX0.2").has_value());
+}
+
+TEST(VariablesByPlace, EachOutputIsListedOnce) {  // under its name and under its address it is one place
+  const Program program = readIecText(
+      "PROGRAM P\nVAR_OUTPUT Lamp : BOOL; END_VAR\nVAR Valve AT %QX0.1 : BOOL; Kept : BOOL; END_VAR\n"
+      "Valve := Kept; Lamp := Kept;\nEND_PROGRAM\n");
+  EXPECT_EQ(outputVariables(program).size(), 2U);
+}
+
 }  // namespace
 }  // namespace rungproof
