@@ -1,21 +1,12 @@
 // Entries are files of their own, named by the hash of the question.
 #include "frontend/result_cache.hpp"
 
-#include <elf.h>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <link.h>
-#include <sys/file.h>
-#include <sys/random.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
-#include <cstdlib>
-#include <cstring>
-#include <ctime>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -25,6 +16,10 @@
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/sha256.hpp"
 #include "frontend/settings/config.hpp"
+#include "platform/file.hpp"
+#include "platform/names.hpp"
+#include "platform/private_folder.hpp"
+#include "platform/waitable.hpp"
 
 namespace rungproof {
 
@@ -35,34 +30,6 @@ namespace fs = std::filesystem;
 constexpr std::string_view entryForm = "rungproof result 1";
 constexpr std::string_view absent = "absent";
 constexpr std::size_t keyBytes = 32;
-
-/// The identity that the linker gave this executable; empty if it gave none.
-std::string buildId() {
-  std::string id;
-  dl_iterate_phdr(
-      [](dl_phdr_info* info, std::size_t, void* data) {
-        auto& result = *static_cast<std::string*>(data);
-        for (int i = 0; i < info->dlpi_phnum; ++i) {
-          const ElfW(Phdr)& segment = info->dlpi_phdr[i];
-          if (segment.p_type != PT_NOTE) continue;
-          const char* at = reinterpret_cast<const char*>(info->dlpi_addr + segment.p_vaddr);
-          const char* const end = at + segment.p_memsz;
-          while (at + sizeof(ElfW(Nhdr)) <= end) {
-            const auto& note = *reinterpret_cast<const ElfW(Nhdr)*>(at);
-            const char* const name = at + sizeof(note);
-            const char* const content = name + (note.n_namesz + 3U) / 4 * 4;
-            if (note.n_type == NT_GNU_BUILD_ID && note.n_namesz == 4 && std::memcmp(name, "GNU", 4) == 0) {
-              for (std::uint32_t k = 0; k < note.n_descsz; ++k)
-                result += fmt::format("{:02x}", static_cast<unsigned char>(content[k]));
-            }
-            at = content + (note.n_descsz + 3U) / 4 * 4;
-          }
-        }
-        return 1;  // the first object is the executable itself
-      },
-      &id);
-  return id;
-}
 
 std::optional<std::string> bytesOf(const fs::path& name) {
   std::error_code error;
@@ -84,12 +51,13 @@ bool isRepeatable(const std::string& name) {
 std::string folderProblem(const std::string& name) {
   std::error_code error;
   if (fs::path(name).has_parent_path()) fs::create_directories(fs::path(name).parent_path(), error);
-  if (::mkdir(name.c_str(), 0700) == 0) return {};
-  if (errno != EEXIST) return fmt::format("'{}' cannot be made: {}", name, std::strerror(errno));
-  struct stat status {};
-  if (::stat(name.c_str(), &status) != 0 || !S_ISDIR(status.st_mode)) return fmt::format("'{}' is no folder", name);
-  if (status.st_uid != ::geteuid()) return fmt::format("the folder '{}' belongs to another user", name);
-  if ((status.st_mode & S_IWOTH) != 0) return fmt::format("everybody may write into the folder '{}'", name);
+  switch (privateFolder(name)) {
+    case FolderState::Private: break;
+    case FolderState::CannotBeMade: return fmt::format("'{}' cannot be made: {}", name, reasonOf(errno));
+    case FolderState::NoFolder: return fmt::format("'{}' is no folder", name);
+    case FolderState::OfAnotherUser: return fmt::format("the folder '{}' belongs to another user", name);
+    case FolderState::OpenToAll: return fmt::format("everybody may write into the folder '{}'", name);
+  }
   return {};
 }
 
@@ -97,47 +65,37 @@ std::string folderProblem(const std::string& name) {
 void writeEntry(const std::string& file, std::string_view text) {
   removeStaleParts(fs::path(file).parent_path(), {});
   const std::string part = partOf(file);
-  ::unlink(part.c_str());  // of a process that had our number and was ended
-  const int opened = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  removeFile(part);  // of a process that had our number and was ended
+  const int opened = openNew(part, Readers::OnlyUs);
   if (opened < 0) return;
-  bool isWritten = ::flock(opened, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
-  while (isWritten && !text.empty()) {
-    const ssize_t count = ::write(opened, text.data(), text.size());
-    if (count < 0 && errno == EINTR) continue;
-    isWritten = count > 0;
-    if (isWritten) text.remove_prefix(static_cast<std::size_t>(count));
-  }
-  isWritten = ::close(opened) == 0 && isWritten;
-  if (!isWritten || ::rename(part.c_str(), file.c_str()) != 0) ::unlink(part.c_str());
+  const bool isWritten = writeBytes(opened, text);
+  if (!closeFile(opened) || !isWritten || !replaceFile(part, file)) removeFile(part);
 }
 
 /// The bytes of an entry: a file of this user, no link.
 std::optional<std::string> entryBytes(const std::string& file) {
-  struct stat status {};
-  const bool isOurs = ::lstat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == ::geteuid();
-  return isOurs ? bytesOf(file) : std::nullopt;
+  const std::optional<FileStatus> status = entryStatus(file);
+  return status && status->isRegular() && status->isOurs ? bytesOf(file) : std::nullopt;
 }
 
 /// The key of this user, made when it is first asked for; empty if there is no place for it.
 std::string userKey() {
-  const char* const state = std::getenv("XDG_STATE_HOME");
-  const char* const home = std::getenv("HOME");
-  const bool hasState = state != nullptr && *state != '\0';
-  if (!hasState && (home == nullptr || *home == '\0')) return {};
-  const fs::path folder = (hasState ? fs::path(state) : fs::path(home) / ".local" / "state") / "rungproof";
+  const fs::path state = stateFolder();
+  if (state.empty()) return {};
+  const fs::path folder = state / "rungproof";
   const fs::path file = folder / "result-key";
   if (const auto key = bytesOf(file)) return key->size() == keyBytes ? *key : std::string();
   std::error_code error;
   fs::create_directories(folder, error);
-  std::string key(keyBytes, '\0');
-  if (::getrandom(key.data(), key.size(), 0) != static_cast<ssize_t>(keyBytes)) return {};
-  const std::string part = file.string() + fmt::format(".{}.part", ::getpid());
-  const int opened = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  std::string key = randomBytes(keyBytes);
+  if (key.empty()) return {};
+  const std::string part = partOf(pathName(file));
+  const int opened = openNew(part, Readers::OnlyUs);
   if (opened < 0) return {};
-  const bool isWritten = ::write(opened, key.data(), key.size()) == static_cast<ssize_t>(keyBytes);
-  ::close(opened);
-  const bool isOurs = isWritten && ::link(part.c_str(), file.c_str()) == 0;
-  ::unlink(part.c_str());
+  const bool isWritten = writeBytes(opened, key);
+  closeFile(opened);
+  const bool isOurs = isWritten && nameFile(part, file);
+  removeFile(part);
   if (isOurs) return key;
   const auto other = bytesOf(file);  // of a run at the same time
   return other && other->size() == keyBytes ? *other : std::string();
@@ -152,13 +110,11 @@ std::string fingerprint(const std::string& name) {
   return bytes ? sha256(*bytes) : std::string(absent);
 }
 
-std::int64_t nanosecondsOf(const timespec& time) { return time.tv_sec * 1'000'000'000LL + time.tv_nsec; }
-
 /// Whether the file may have changed since that moment; times of files come from a clock that ticks every few ms.
 bool mayHaveChangedSince(const std::string& name, std::int64_t moment) {
   constexpr std::int64_t tick = 20'000'000;  // ns
-  struct stat status {};
-  return ::stat(name.c_str(), &status) == 0 && nanosecondsOf(status.st_ctim) > moment - tick;
+  const std::optional<FileStatus> status = fileStatus(name);
+  return status && status->changed > moment - tick;
 }
 
 /// Names below a folder, and the configuration that counts there: whatever comes or goes is another question.
@@ -166,12 +122,12 @@ std::string surroundingsOf(const std::string& given) {
   std::error_code error;
   const fs::path place(given);
   const bool isFolder = fs::is_directory(place, error);
-  std::string text = given + '\n' + findConfig(isFolder ? place : place.parent_path()).string() + '\n';
+  std::string text = given + '\n' + pathName(findConfig(isFolder ? place : place.parent_path())) + '\n';
   if (!isFolder) return text;
   std::vector<std::string> names;
   for (fs::recursive_directory_iterator entry(place, fs::directory_options::skip_permission_denied, error), end;
        !error && entry != end; entry.increment(error))
-    names.push_back(entry->path().string());
+    names.push_back(pathName(entry->path()));
   std::ranges::sort(names);
   for (const std::string& name : names) text += name + '\n';
   return text;
@@ -244,18 +200,17 @@ void append(std::string& body, std::string_view text) { body += fmt::format("{}\
 
 ResultCache::ResultCache(std::string folder, std::string question, const std::vector<std::string>& given) {
   if (folder.empty() || holdsTexts()) return;
-  timespec now{};
-  ::clock_gettime(CLOCK_REALTIME, &now);
-  begin_ = nanosecondsOf(now);
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  begin_ = std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
   const std::string build = buildId();
   key_ = userKey();
   std::error_code error;
   const fs::path here = fs::current_path(error);
   if (build.empty() || key_.empty() || error) return;
-  question_ = build + '\n' + here.string() + '\n' + std::move(question) + '\n';
+  question_ = build + '\n' + pathName(here) + '\n' + std::move(question) + '\n';
   for (const std::string& name : given) question_ += surroundingsOf(name);
   problem_ = folderProblem(folder);
-  if (problem_.empty()) file_ = (fs::path(folder) / sha256(question_)).string();
+  if (problem_.empty()) file_ = pathName(fs::path(folder) / sha256(question_));
 }
 
 std::optional<KeptResult> ResultCache::find() const {

@@ -2,13 +2,13 @@
 // process, so that none leaves anything behind for the next. Tested by tests/cli/watch_test.cpp.
 #pragma once
 
-#include <functional>
 #include <iosfwd>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "frontend/files/exit.hpp"
+#include "platform/child_process.hpp"
 
 namespace rungproof {
 
@@ -17,11 +17,13 @@ inline constexpr std::string_view watchHelp =
     "run again whenever a file that was read changes, until Ctrl-C; the exit code is that of the last run";
 
 struct WatchedRuns {
-  std::function<int()> run;          ///< one run; its exit code
-  std::vector<std::string> given{};  ///< files and folders of the command line, which may not exist yet
-  bool clears = false;               ///< a terminal is cleared before each run
+  std::vector<std::string> arguments;  ///< of the program, for one run
+  std::vector<std::string> given{};    ///< files and folders of the command line, which may not exist yet
+  bool clears = false;                 ///< a terminal is cleared before each run
 };
 /// The exit code of the last run that came to its end.
 int watchRuns(const WatchedRuns& runs, std::ostream& out, std::ostream& err);
+/// One of the runs, on the streams of this process.
+extern const Worker watchedRunWorker;
 
 }  // namespace rungproof

@@ -1,37 +1,11 @@
-// Looks at the process' resident memory in /proc; a limit on address space would make allocations fail inside solvers,
-// which cannot go on from there.
+// Looks at the process' resident memory; a limit on address space would make allocations fail inside solvers, which
+// cannot go on from there.
 #include "analysis/proof/proof_watch.hpp"
-
-#include <malloc.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
-
-/// Of mimalloc, where that is linked.
-extern "C" [[gnu::weak]] void mi_collect(bool isForced) noexcept;
 
 namespace rungproof {
-
-std::uint64_t residentBytes() {
-  std::ifstream stream("/proc/self/statm");
-  std::uint64_t size = 0, resident = 0;
-  stream >> size >> resident;
-  return stream ? resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
-}
-
-void returnUnusedMemory() {
-  if (mi_collect != nullptr)
-    mi_collect(true);
-  else
-    malloc_trim(0);
-}
-
-std::uint64_t usualMemoryLimit() {
-  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
-  return pages > 0 && size > 0 ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size) / 4 * 3 : 0;
-}
 
 ProofWatch::ProofWatch(const std::atomic<bool>* cancel, std::uint64_t memory) : cancel_(cancel), memory_(memory) {
   if (cancel_ != nullptr || memory_ > 0) thread_ = std::thread([this] { look(); });

@@ -10,17 +10,12 @@
 #include <thread>
 #include <vector>
 
+#include "platform/memory.hpp"
+
 namespace rungproof {
 
 /// Thrown out of encoding when it is stopped.
 struct EncodingStopped {};
-
-/// Resident memory of this process in bytes; 0 where the system does not tell.
-std::uint64_t residentBytes();
-/// What the allocator keeps for later goes back to the system.
-void returnUnusedMemory();
-/// Three quarters of the machine's memory, in bytes; 0 where the system does not tell.
-std::uint64_t usualMemoryLimit();
 
 class ProofWatch {
  public:

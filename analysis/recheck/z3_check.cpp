@@ -1,33 +1,24 @@
 // The child writes one byte for each formula; the parent reads them as long as the limits allow, then ends it.
 #include "analysis/recheck/z3_check.hpp"
 
-#include <poll.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <fmt/format.h>
 #include <z3++.h>
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <map>
+#include <sstream>
 #include <unordered_map>
 #include <unordered_set>
 
 #include "analysis/schedule/schedule.hpp"
+#include "platform/child_process.hpp"
 
 namespace rungproof {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// The address sanitizer reserves more memory than any limit allows.
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool reservesMuch = true;
-#else
-constexpr bool reservesMuch = false;
-#endif
 
 z3::solver quickSolver(z3::context& context) {
   const auto step = [&](const char* name) { return z3::tactic(context, name); };
@@ -165,85 +156,77 @@ class GateForms {
   std::vector<std::map<std::vector<unsigned>, Known>::iterator> forms_;  ///< by formula
 };
 
-void writeResult(int pipe, CheckResult result) {
-  const auto byte = static_cast<unsigned char>(result);
-  if (write(pipe, &byte, 1) != 1) _exit(1);
+/// What the child gets: seconds for each owner, the number of owners, the owner of each formula, then the text.
+std::string formulaRequest(const std::string& text, const std::vector<std::size_t>& owners, std::size_t ownerCount,
+                           const CheckLimits& limits) {
+  std::string request = fmt::format("{} {} {}", std::min(limits.each, 1e9), ownerCount, owners.size());
+  for (const std::size_t owner : owners) request += fmt::format(" {}", owner);
+  return request + '\n' + text;
 }
 
 /// The child's whole life.
-[[noreturn]] void work(int pipe, const std::string& text, const std::vector<std::size_t>& owners,
-                       std::size_t ownerCount, const CheckLimits& limits) {
-  if (limits.memory > 0 && !reservesMuch) {
-    const rlimit limit{limits.memory, limits.memory};
-    setrlimit(RLIMIT_DATA, &limit);
+int checkRequested(const std::string& request, const GiveBytes& give) {
+  const std::size_t headEnd = request.find('\n');
+  if (headEnd == std::string::npos) return 1;
+  std::istringstream head(request.substr(0, headEnd));
+  double each = 0;
+  std::size_t ownerCount = 0, count = 0;
+  head >> each >> ownerCount >> count;
+  std::vector<std::size_t> owners(head ? count : 0);
+  for (std::size_t& owner : owners) head >> owner;
+  if (!head || std::ranges::any_of(owners, [&](std::size_t owner) { return owner >= ownerCount; })) return 1;
+  z3::context context;
+  const z3::expr_vector assertions = context.parse_string(request.c_str() + headEnd + 1);
+  if (assertions.size() != 1 || assertions[0].num_args() != owners.size() + 1) return 1;
+  const z3::expr formulas = assertions[0];
+  std::vector<double> left(ownerCount, each);
+  GateForms known(context, formulas);
+  for (unsigned i = 0; i < owners.size(); ++i) {
+    const Clock::time_point begin = Clock::now();
+    known.checkWithNext(i);
+    CheckResult& result = known.result(i);
+    if (result == CheckResult::Unknown) result = checkFormula(context, formulas.arg(i + 1), left[owners[i]]);
+    left[owners[i]] -= std::chrono::duration<double>(Clock::now() - begin).count();
+    const char byte = static_cast<char>(result);
+    if (!give({&byte, 1})) return 1;
   }
-  std::signal(SIGINT, SIG_IGN);  // the parent decides what an interruption means
-  try {
-    z3::context context;
-    const z3::expr_vector assertions = context.parse_string(text.c_str());
-    if (assertions.size() != 1 || assertions[0].num_args() != owners.size() + 1) _exit(1);
-    const z3::expr formulas = assertions[0];
-    std::vector<double> left(ownerCount, limits.each);
-    GateForms known(context, formulas);
-    for (unsigned i = 0; i < owners.size(); ++i) {
-      const Clock::time_point begin = Clock::now();
-      known.checkWithNext(i);
-      CheckResult& result = known.result(i);
-      if (result == CheckResult::Unknown) result = checkFormula(context, formulas.arg(i + 1), left[owners[i]]);
-      left[owners[i]] -= std::chrono::duration<double>(Clock::now() - begin).count();
-      writeResult(pipe, result);
-    }
-  } catch (...) {
-    _exit(1);
-  }
-  _exit(0);
+  return 0;
 }
 
-/// The child's process and the end of its pipe that is read.
-class Child {
+/// The results as they come.
+class ComingResults {
  public:
-  Child(pid_t process, int pipe) : process_(process), pipe_(pipe) {}
-  ~Child() {
-    kill(process_, SIGKILL);
-    waitpid(process_, nullptr, 0);
-    close(pipe_);
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
+  explicit ComingResults(ByteSource& source) : source_(source) {}
 
   /// The next result; nothing at the end of the child or of the time.
-  bool read(CheckResult& result, Clock::time_point deadline, const std::atomic<bool>* cancel) const {
+  bool read(CheckResult& result, Clock::time_point deadline, const std::atomic<bool>* cancel) {
     while (Clock::now() < deadline && (cancel == nullptr || !cancel->load(std::memory_order_relaxed))) {
-      pollfd waited{pipe_, POLLIN, 0};
-      if (poll(&waited, 1, 10) <= 0) continue;
-      unsigned char byte = 0;
-      if (::read(pipe_, &byte, 1) != 1) return false;
-      result = static_cast<CheckResult>(byte);
-      return true;
+      if (!come_.empty()) {
+        result = static_cast<CheckResult>(come_.front());
+        come_.erase(0, 1);
+        return true;
+      }
+      const Waitable* const waited = &source_;
+      if (waitForAny({&waited, 1}, 10).front() && source_.take(come_) == ByteSource::Taken::End) return false;
     }
     return false;
   }
 
  private:
-  pid_t process_;
-  int pipe_;
+  ByteSource& source_;
+  std::string come_;
 };
 
 }  // namespace
 
+constinit const Worker formulaWorker = {"formulas", checkRequested};
+
 std::vector<CheckResult> checkApart(const std::string& text, const std::vector<std::size_t>& owners,
                                     std::size_t ownerCount, const CheckLimits& limits) {
   std::vector<CheckResult> results(ownerCount, CheckResult::Unknown);
-  int pipes[2];
-  if (pipe(pipes) != 0) return results;
-  const pid_t process = fork();
-  if (process == 0) work(pipes[1], text, owners, ownerCount, limits);
-  close(pipes[1]);
-  if (process < 0) {
-    close(pipes[0]);
-    return results;
-  }
-  const Child child(process, pipes[0]);
+  ChildProcess child(formulaWorker, formulaRequest(text, owners, ownerCount, limits), ChildKind::Check, limits.memory);
+  if (!child.hasBegun()) return results;
+  ComingResults come(child.output());
   const Clock::time_point deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                                         std::chrono::duration<double>(std::min(limits.total, 1e6)));
   std::vector<CheckResult> found(ownerCount, CheckResult::Valid);
@@ -251,7 +234,7 @@ std::vector<CheckResult> checkApart(const std::string& text, const std::vector<s
   for (const std::size_t owner : owners) ++open[owner];
   for (const std::size_t owner : owners) {
     CheckResult result = CheckResult::Unknown;
-    if (!child.read(result, deadline, limits.cancel)) break;
+    if (!come.read(result, deadline, limits.cancel)) break;
     --open[owner];
     if (found[owner] == CheckResult::Valid || result == CheckResult::Invalid) found[owner] = result;
   }

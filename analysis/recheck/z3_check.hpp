@@ -10,6 +10,8 @@
 
 namespace rungproof {
 
+struct Worker;
+
 enum class CheckResult : std::uint8_t { Valid, Invalid, Unknown };  ///< Unknown: not within the limits
 
 struct CheckLimits {
@@ -24,5 +26,7 @@ struct CheckLimits {
 /// satisfiable.
 std::vector<CheckResult> checkApart(const std::string& text, const std::vector<std::size_t>& owners,
                                     std::size_t ownerCount, const CheckLimits& limits);
+/// The process of its own.
+extern const Worker formulaWorker;
 
 }  // namespace rungproof

@@ -14,7 +14,7 @@ namespace {
 
 class X86Code final : public MachineCode {
  public:
-  using Function = std::uint64_t (*)(Workspace*);
+  using Function [[gnu::sysv_abi]] = std::uint64_t (*)(Workspace*);  ///< on every system
   explicit X86Code(Function function) : function_(function) {}
   ~X86Code() override { codePages().release(function_); }
   X86Code(const X86Code&) = delete;

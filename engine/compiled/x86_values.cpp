@@ -22,9 +22,13 @@ const Concrete& plainNumbers() {
   static const Concrete domain(outside);
   return domain;
 }
-std::uint64_t realFunction(std::uint64_t a, std::uint64_t which) { return plainNumbers().rfunction(which, a); }
-std::uint64_t realToInt(std::uint64_t a, std::uint64_t round) { return plainNumbers().rtoInt(a, round != 0); }
-std::uint64_t divided(std::uint64_t a, std::uint64_t b, std::uint64_t w, std::uint64_t op) {
+[[gnu::sysv_abi]] std::uint64_t realFunction(std::uint64_t a, std::uint64_t which) {
+  return plainNumbers().rfunction(which, a);
+}
+[[gnu::sysv_abi]] std::uint64_t realToInt(std::uint64_t a, std::uint64_t round) {
+  return plainNumbers().rtoInt(a, round != 0);
+}
+[[gnu::sysv_abi]] std::uint64_t divided(std::uint64_t a, std::uint64_t b, std::uint64_t w, std::uint64_t op) {
   const int width = static_cast<int>(w);
   switch (static_cast<CodeOp>(op)) {
     case CodeOp::DivideUnsigned: return plainNumbers().udiv(a, b, width);

@@ -16,6 +16,7 @@
 #include "frontend/simulation/witness_report.hpp"
 #include "frontend/trace_format.hpp"
 #include "ir/iec/cpu.hpp"
+#include "platform/names.hpp"
 
 namespace rungproof {
 
@@ -50,7 +51,7 @@ std::vector<FileRead> filesOf(const Settings& settings, const Program& program,
   }
   const bool isConfigured = !settings.root().empty();
   const std::string config = settings.isSet(Opt::Config) ? std::string(settings.text(Opt::Config))
-                             : isConfigured              ? (settings.root() / "rungproof.toml").string()
+                             : isConfigured              ? pathName(settings.root() / "rungproof.toml")
                                                          : "";
   if (!config.empty() && isConfigured)
     files.push_back(fileRead(config, nameInProject(config, settings.root()), "configuration", ""));

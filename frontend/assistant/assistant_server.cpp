@@ -66,7 +66,7 @@ void AssistantServer::callTool(const RpcMessage& message) {
   const auto call = callOf(*tool, arguments == nullptr ? Json(nullptr) : *arguments, context_.given);
   if (const Json* result = std::get_if<Json>(&call)) return reply(*message.id, *result);
   const Json id = *message.id;
-  begin(id, std::get<std::function<std::string()>>(call), [this, id](const std::optional<std::string>& text) {
+  begin(id, std::get<JobRequest>(call), [this, id](const std::optional<std::string>& text) {
     const std::optional<Json> result = text ? Json::read(*text) : std::nullopt;
     reply(id, result ? *result : errorResult("the run ended before it had a result"));
   });

@@ -3,7 +3,6 @@
 // it. Tested by tests/assistant/tool_test.cpp.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "frontend/files/json.hpp"
+#include "frontend/rpc/background_job.hpp"
 
 namespace rungproof {
 
@@ -52,9 +52,10 @@ Json toolJson(const Tool& tool);
 /// The result of tools/call: content, structuredContent, isError.
 Json errorResult(std::string_view message);
 
-/// The work of a call, for a background job: it gives the result as text. Or the result itself, if the arguments are
-/// wrong. `given`: options of the server's command line.
-std::variant<Json, std::function<std::string()>> callOf(const Tool& tool, const Json& arguments,
-                                                        const std::vector<std::string>& given);
+/// A call as a background job, which gives the result as text. Or the result itself, if the arguments are wrong.
+/// `given`: options of the server's command line.
+std::variant<Json, JobRequest> callOf(const Tool& tool, const Json& arguments, const std::vector<std::string>& given);
+/// Makes such a call.
+extern const Worker toolWorker;
 
 }  // namespace rungproof

@@ -1,6 +1,5 @@
 // From the arguments of a call to a command, and from what it prints to a result.
 #include <fmt/ranges.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -12,6 +11,8 @@
 #include "frontend/files/disk_file.hpp"
 #include "frontend/rpc/command_output.hpp"
 #include "frontend/settings/options.hpp"
+#include "platform/names.hpp"
+#include "platform/private_folder.hpp"
 
 namespace rungproof {
 
@@ -97,9 +98,7 @@ std::string readArguments(const Tool& tool, const Json& arguments, ToolCall& cal
 /// folder a link with the name of the file could lead to any file of the user.
 class BesideFolder {
  public:
-  BesideFolder() : name_((std::filesystem::temp_directory_path() / "rungproof-XXXXXX").string()) {
-    if (::mkdtemp(name_.data()) == nullptr) name_.clear();
-  }
+  BesideFolder() : name_(pathName(temporaryFolder())) {}
   ~BesideFolder() {
     std::error_code error;
     if (isThere()) std::filesystem::remove_all(name_, error);
@@ -110,7 +109,7 @@ class BesideFolder {
   bool isThere() const { return !name_.empty(); }
   std::string file(std::string_view name) const { return fmt::format("{}/{}", name_, name); }
   std::string text(std::string_view name) const {
-    std::ifstream stream(file(name), std::ios::binary);
+    std::ifstream stream(std::filesystem::path(file(name)), std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
   }
 
@@ -159,21 +158,36 @@ std::string runTool(const Tool& tool, const ToolCall& call, const std::vector<st
   return result.dump();
 }
 
+int runAskedTool(const std::string& request, const GiveBytes& give) {
+  const std::optional<Json> asked = takeJobRequest(request);
+  const Json* const name = asked ? asked->find("tool") : nullptr;
+  const Json* const arguments = asked ? asked->find("arguments") : nullptr;
+  const Json* const options = asked ? asked->find("given") : nullptr;
+  const Tool* const tool = name == nullptr ? nullptr : toolNamed(name->text());
+  if (tool == nullptr || arguments == nullptr || options == nullptr) return 1;
+  ToolCall call;
+  if (!readArguments(*tool, *arguments, call).empty()) return 1;
+  std::vector<std::string> given;
+  for (const Json& option : options->items()) given.push_back(option.text());
+  return give(runTool(*tool, call, given)) ? 0 : 1;
+}
+
 }  // namespace
+
+constinit const Worker toolWorker = {"tool", runAskedTool};
 
 Json errorResult(std::string_view message) {
   return {{"content", Json::array({Json{{"type", "text"}, {"text", message}}})}, {"isError", true}};
 }
 
-std::variant<Json, std::function<std::string()>> callOf(const Tool& tool, const Json& arguments,
-                                                        const std::vector<std::string>& given) {
+std::variant<Json, JobRequest> callOf(const Tool& tool, const Json& arguments, const std::vector<std::string>& given) {
   ToolCall call;
   if (arguments.kind() != Json::Kind::Object && arguments.kind() != Json::Kind::Null)
     return errorResult("the arguments must be an object");
   if (const std::string problem = readArguments(tool, arguments, call); !problem.empty()) return errorResult(problem);
   if (const auto problem = call.path.empty() ? std::nullopt : confinedAgainst(call.path))
     return errorResult(fmt::format("'{}' is not read: {}", call.path, *problem));
-  return [&tool, call, given] { return runTool(tool, call, given); };
+  return JobRequest{&toolWorker, {{"tool", tool.name}, {"arguments", arguments}, {"given", given}}};
 }
 
 }  // namespace rungproof

@@ -19,6 +19,7 @@
 #include "frontend/settings/config.hpp"
 #include "frontend/text/safe_text.hpp"
 #include "frontend/watch.hpp"
+#include "platform/names.hpp"
 
 namespace rungproof {
 
@@ -72,9 +73,9 @@ fs::path folderOf(const fs::path& file) {
   std::error_code error;
   if (fs::is_directory(file, error)) return file;
   // A program of a project stands in its file.
-  if (const auto argument = projectArgument(file.string()); argument && !argument->program.empty())
+  if (const auto argument = projectArgument(pathName(file)); argument && !argument->program.empty())
     return folderOf(argument->file);
-  const bool isThere = fs::exists(file, error) || heldText(file.string()) != nullptr;
+  const bool isThere = fs::exists(file, error) || heldText(pathName(file)) != nullptr;
   return isThere && file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
@@ -352,7 +353,8 @@ int runArguments(const std::vector<std::string>& arguments, const Streams& strea
   if (std::ranges::find(rest, "-") != rest.end())
     return failed(streams.err, {"standard input cannot be watched", {}, "give the name of a file"});
   WatchedRuns runs;
-  runs.run = [&] { return runCommand(*command, rest, streams); };
+  runs.arguments = {std::string(command->name)};
+  runs.arguments.insert(runs.arguments.end(), rest.begin(), rest.end());
   runs.clears = streams.outIsTerminal;
   std::ranges::copy_if(rest, std::back_inserter(runs.given),
                        [](const std::string& argument) { return !argument.starts_with("-"); });

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <csignal>
 #include <filesystem>
 #include <set>
 
@@ -19,6 +18,8 @@
 #include "frontend/simulation/witness_report.hpp"
 #include "frontend/stl/syntax_message.hpp"
 #include "frontend/testing/table_reader.hpp"
+#include "platform/interrupt.hpp"
+#include "platform/names.hpp"
 
 namespace rungproof {
 
@@ -36,11 +37,6 @@ struct Arguments {
 };
 
 std::atomic<bool> equivInterrupted = false;
-
-extern "C" void onEquivInterrupt(int) {
-  equivInterrupted = true;
-  std::signal(SIGINT, SIG_DFL);
-}
 
 std::string_view equalityName(Equality equality) {
   switch (equality) {
@@ -112,7 +108,7 @@ bool writeCertificates(const Context& context, const std::string& directory, con
         : isDecisions
             ? "known conditions, targets of pointers, effects of interrupt routines; the other files rest on it"
             : "rests on memory.smt2");
-    isWritten = context.write({"smt2", (std::filesystem::path(directory) / file).string()},
+    isWritten = context.write({"smt2", pathName(std::filesystem::path(directory) / file)},
                               certificateHead(statement, file) + text) &&
                 isWritten;
   }
@@ -193,9 +189,10 @@ Exit run(const Arguments& arguments, Context& context) {
   options.latency = arguments.latency;
   options.settleMs = static_cast<std::uint32_t>(settle->count() / 1000);
   equivInterrupted = false;
-  const auto before = std::signal(SIGINT, onEquivInterrupt);
+  std::optional<InterruptFlag> interrupt;
+  interrupt.emplace(equivInterrupted, Interrupts::CtrlC);
   Equivalence found = compareBehaviour(sides.oldSide(), sides.newSide(), options);
-  std::signal(SIGINT, before);
+  interrupt.reset();
   if (found.equality == Equality::Equal && std::ranges::all_of(found.outputs, &ObservedVerdict::isRun)) {
     found.equality = Equality::Unknown;
     found.notes.emplace_back("neither program writes an output: name memory to be compared with --observe");

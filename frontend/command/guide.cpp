@@ -5,6 +5,7 @@
 
 #include "frontend/command.hpp"
 #include "frontend/guide/site.hpp"
+#include "platform/names.hpp"
 
 namespace rungproof {
 
@@ -22,7 +23,7 @@ Exit run(const Arguments& arguments, Context& context) {
   std::filesystem::create_directories(arguments.folder, error);
   const std::vector<GuideFile> files = arguments.man ? manPages() : guidePages();
   for (const GuideFile& file : files) {
-    const std::string name = (std::filesystem::path(arguments.folder) / file.name).string();
+    const std::string name = pathName(std::filesystem::path(arguments.folder) / file.name);
     if (!context.write({"html", name}, file.text)) return Exit::Failed;
   }
   if (!context.settings.flag(Opt::Quiet))

@@ -1,8 +1,7 @@
 // `rungproof lsp`: the server behind an editor.
-#include <unistd.h>
-
 #include "frontend/command.hpp"
 #include "frontend/editor/editor_server.hpp"
+#include "platform/console.hpp"
 
 namespace rungproof {
 
@@ -12,7 +11,9 @@ Action setup(ArgumentTable& table) {
   // Editors add it without being asked; there is no other way to talk.
   auto isStdio = std::make_shared<bool>(false);
   table.flag("--stdio", *isStdio, "speak over standard input and output (always so)");
-  return [isStdio](Context& context) { return EditorServer(context, STDIN_FILENO, STDOUT_FILENO).run(); };
+  return [isStdio](Context& context) {
+    return EditorServer(context, static_cast<int>(Stream::In), static_cast<int>(Stream::Out)).run();
+  };
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 // `rungproof mcp`: tools for assistants.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
 
 #include "frontend/assistant/assistant_server.hpp"
 #include "frontend/command.hpp"
+#include "platform/console.hpp"
 
 namespace rungproof {
 
@@ -19,7 +19,7 @@ Action setup(ArgumentTable& table) {
     if (!std::filesystem::is_directory(*root, error))
       return context.fail({fmt::format("'{}' is no folder", *root), {}, "--root names the folder that tools may read"});
     confineInputs(*root);
-    const Exit exit = AssistantServer(context, STDIN_FILENO, STDOUT_FILENO).run();
+    const Exit exit = AssistantServer(context, static_cast<int>(Stream::In), static_cast<int>(Stream::Out)).run();
     confineInputs({});
     return exit;
   };

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <csignal>
 #include <filesystem>
 #include <set>
 #include <sstream>
@@ -30,6 +29,8 @@
 #include "frontend/trace_format.hpp"
 #include "frontend/watch.hpp"
 #include "ir/iec/variables.hpp"
+#include "platform/interrupt.hpp"
+#include "platform/names.hpp"
 
 namespace rungproof {
 
@@ -52,15 +53,7 @@ struct Arguments {
 constexpr double secondsForUndecided = 4;  ///< of the self-check, for a fault that a quick look leaves open
 constexpr std::size_t scansInText = 3, scansInPage = 300;  // the last ones of a witness
 
-std::atomic<bool> interrupted = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler writes it");
-
-/// The first Ctrl-C or request to end leads to the report, the second one ends the program.
-extern "C" void onInterrupt(int) {
-  interrupted = true;
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
-}
+std::atomic<bool> interrupted = false;  ///< leads to the report
 
 /// File names made of the names of properties; no two properties get the same one.
 class EvidenceNames {
@@ -82,7 +75,7 @@ class EvidenceNames {
 std::string fileIn(const std::string& directory, const std::string& name) {
   std::error_code error;  // a folder that cannot be made shows when the file is written
   std::filesystem::create_directories(directory, error);
-  return (std::filesystem::path(directory) / name).string();
+  return pathName(std::filesystem::path(directory) / name);
 }
 
 /// Writes the witness as CSV (also a stimulus), VCD and SVG; gives the name of the CSV file.
@@ -232,7 +225,8 @@ void proveInto(Report& part, const Context& context, const Settings& settings, c
   options.certificates = !arguments.certificates.empty() && !hasHiddenCode(program);
   options.unread = &unread;
   options.cancel = &interrupted;
-  const auto before = std::signal(SIGINT, onInterrupt), beforeTerm = std::signal(SIGTERM, onInterrupt);
+  std::optional<InterruptFlag> interrupt;
+  interrupt.emplace(interrupted, Interrupts::CtrlCAndEnd);
   const ProofRun proof =
       prove(program, properties, options, [&](const ProofResult& result, std::size_t done, std::size_t total) {
         if (context.progress)
@@ -259,8 +253,7 @@ void proveInto(Report& part, const Context& context, const Settings& settings, c
   } else if (arguments.selfCheck) {
     context.err << "rungproof: no faults are planted: not all of the program and its properties could be read\n";
   }
-  std::signal(SIGINT, before);
-  std::signal(SIGTERM, beforeTerm);
+  interrupt.reset();
   part.assumptions = proof.assumptions;
   part.techniques = proof.techniques;
   part.coverage.approximated.insert(part.coverage.approximated.end(), proof.approximations.begin(),

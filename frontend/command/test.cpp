@@ -20,6 +20,7 @@
 #include "frontend/testing/table_reader.hpp"
 #include "frontend/testing/table_run.hpp"
 #include "frontend/watch.hpp"
+#include "platform/names.hpp"
 
 namespace rungproof {
 
@@ -182,7 +183,7 @@ class TestRun {
     request.engine = options.engine;
     request.scanTime = context_.settings.scanTime().value_or(ScanTime{1ms, 100ms});
     request.shownTime = options.scanTime;
-    request.title = std::filesystem::path(arguments_.files.front()).filename().string();
+    request.title = pathName(std::filesystem::path(arguments_.files.front()).filename());
     std::string text;
     for (std::uint32_t i = 0; i < program.sources->size(); ++i) text += program.sources->file(i).text();
     request.hash = sha256(text);

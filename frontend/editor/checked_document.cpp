@@ -8,6 +8,7 @@
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/file_reader.hpp"
 #include "frontend/linting/lint_run.hpp"
+#include "platform/names.hpp"
 
 namespace rungproof {
 
@@ -29,7 +30,7 @@ bool holds(const std::vector<std::string>& files, const std::string& path) {
 /// Programs that a property file beside them may speak of: press.awl of press.prop.
 std::vector<std::string> programBeside(const std::string& path) {
   for (const char* ending : {".awl", ".stl", ".xml", ".AWL", ".STL"}) {
-    const std::string candidate = fs::path(path).replace_extension(ending).string();
+    const std::string candidate = pathName(fs::path(path).replace_extension(ending));
     std::error_code error;
     if (fs::is_regular_file(candidate, error) || heldText(candidate) != nullptr) return {candidate};
   }
@@ -102,7 +103,7 @@ std::string CheckedDocument::uriOf(std::uint32_t file) const {
   if (file == file_) return uri_;
   std::error_code error;
   const std::string path = pathInProject(report_.sources->file(file).name(), settings_.root());
-  return uriOfPath(fs::weakly_canonical(path, error).string());
+  return uriOfPath(pathName(fs::weakly_canonical(path, error)));
 }
 
 std::uint32_t CheckedDocument::offset(ClientPlace place) const {

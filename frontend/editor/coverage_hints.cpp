@@ -12,6 +12,7 @@
 #include "engine/testing/test_player.hpp"
 #include "frontend/files/disk_file.hpp"
 #include "frontend/testing/table_reader.hpp"
+#include "platform/names.hpp"
 
 namespace rungproof {
 
@@ -22,12 +23,12 @@ constexpr std::uint64_t mostScans = 100000;
 std::vector<std::string> tablesBeside(const std::string& file) {
   namespace fs = std::filesystem;
   const fs::path path(file);
-  const std::string stem = path.stem().string() + ".";
+  const std::string stem = pathName(path.stem()) + ".";
   std::vector<std::string> tables;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(path.parent_path(), error)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with(stem) && name.ends_with(".test.csv")) tables.push_back(entry.path().string());
+    const std::string name = pathName(entry.path().filename());
+    if (name.starts_with(stem) && name.ends_with(".test.csv")) tables.push_back(pathName(entry.path()));
   }
   std::ranges::sort(tables);
   return tables;

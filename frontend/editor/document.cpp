@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "platform/names.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -110,17 +112,17 @@ bool applyChange(Document& document, const Json& change) {
 std::string pathOfUri(std::string_view uri, const std::string& folder) {
   if (uri.starts_with("file://")) {
     const std::size_t slash = uri.find('/', std::string_view("file://").size());
-    return withoutPercent(slash == std::string_view::npos ? std::string_view() : uri.substr(slash));
+    return nameOfUriPath(withoutPercent(slash == std::string_view::npos ? std::string_view() : uri.substr(slash)));
   }
   const std::size_t cut = uri.find_last_of("/:");
   const std::string name = withoutPercent(cut == std::string_view::npos ? uri : uri.substr(cut + 1));
-  return (std::filesystem::path(folder) / (name.empty() ? "untitled" : name)).string();
+  return pathName(std::filesystem::path(folder) / (name.empty() ? "untitled" : name));
 }
 
 std::string uriOfPath(const std::string& path) {
   constexpr std::string_view plain = "/-._~!$'()*+,;=:@";
   std::string uri = "file://";
-  for (const char c : path) {
+  for (const char c : uriPathOfName(path)) {
     const bool isPlain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
                          plain.find(c) != std::string_view::npos;
     uri += isPlain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));

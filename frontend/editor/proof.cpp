@@ -34,7 +34,18 @@ std::string lensTitle(const ProofVerdict* verdict, std::int64_t version) {
 
 bool isGoodWord(std::string_view word) { return word == "PROVED" || word == "REACHABLE"; }
 
+int runAskedCommand(const std::string& request, const GiveBytes& give) {
+  const std::optional<Json> asked = takeJobRequest(request);
+  if (!asked) return 1;
+  std::vector<std::string> arguments;
+  for (const Json& argument : asked->items()) arguments.push_back(argument.text());
+  const CommandOutput output = outputOf(arguments);
+  return give(Json{{"out", output.out}, {"err", output.err}}.dump()) ? 0 : 1;
+}
+
 }  // namespace
+
+constinit const Worker commandWorker = {"command", runAskedCommand};
 
 const Property* goalNamed(const CheckedDocument& document, std::string_view name) {
   for (const Property& property : document.properties().properties) {
@@ -56,8 +67,7 @@ Json lensesOf(const CheckedDocument& document, const ProofVerdicts& verdicts) {
   return lenses;
 }
 
-std::function<std::string()> proofOf(const CheckedDocument& document, const std::string& name,
-                                     const std::vector<std::string>& given) {
+JobRequest proofOf(const CheckedDocument& document, const std::string& name, const std::vector<std::string>& given) {
   std::vector<std::string> arguments = {"prove"};
   const std::vector<std::string>& files = document.files();
   arguments.insert(arguments.end(), files.begin(), files.end());
@@ -65,10 +75,7 @@ std::function<std::string()> proofOf(const CheckedDocument& document, const std:
   arguments.insert(arguments.end(), given.begin(), given.end());
   arguments.push_back("--only=" + patternOf(name));
   arguments.push_back("--format=json");
-  return [arguments] {
-    const CommandOutput output = outputOf(arguments);
-    return Json{{"out", output.out}, {"err", output.err}}.dump();
-  };
+  return {&commandWorker, arguments};
 }
 
 ProofVerdict verdictFrom(const std::optional<std::string>& printed, const std::string& name, std::int64_t version) {

@@ -2,10 +2,10 @@
 // verdict in the lens and as a diagnostic. Tested by tests/editor/proof_test.cpp.
 #pragma once
 
-#include <functional>
 #include <map>
 
 #include "frontend/editor/checked_document.hpp"
+#include "frontend/rpc/background_job.hpp"
 
 namespace rungproof {
 
@@ -23,8 +23,9 @@ const Property* goalNamed(const CheckedDocument& document, std::string_view name
 
 Json lensesOf(const CheckedDocument& document, const ProofVerdicts& verdicts);
 /// The run itself, for a background job. `given`: options of the server's command line.
-std::function<std::string()> proofOf(const CheckedDocument& document, const std::string& name,
-                                     const std::vector<std::string>& given);
+JobRequest proofOf(const CheckedDocument& document, const std::string& name, const std::vector<std::string>& given);
+/// Runs a command for a server and gives what it prints.
+extern const Worker commandWorker;
 /// From what the run has printed; nothing: it did not come to its end.
 ProofVerdict verdictFrom(const std::optional<std::string>& printed, const std::string& name, std::int64_t version);
 /// Adds violations of this version of the document to its diagnostics.

@@ -1,21 +1,20 @@
-// POSIX calls where the standard library has no word for mode, owner and identity of a file.
+// Reads and writes through platform/file.hpp.
 #include "frontend/files/disk_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <fnmatch.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
-#include <csignal>
-#include <cstring>
 #include <map>
 #include <mutex>
 #include <set>
 #include <utility>
+
+#include "frontend/files/held_state.hpp"
+#include "platform/console.hpp"
+#include "platform/file.hpp"
+#include "platform/names.hpp"
+#include "platform/waitable.hpp"
 
 namespace rungproof {
 
@@ -25,15 +24,12 @@ namespace fs = std::filesystem;
 
 constexpr int mostLinks = 40;  ///< behind each other, as the system counts them
 
-using Identity = std::pair<dev_t, ino_t>;
-Identity identityOf(const struct stat& status) { return {status.st_dev, status.st_ino}; }
-
 /// What this run has read.
 class Inputs {
  public:
-  void add(const struct stat& status) {
+  void add(const FileStatus& status) {
     const std::lock_guard lock(mutex_);
-    read_.insert(identityOf(status));
+    read_.insert(status.identity);
   }
   void add(const std::string& name) {
     const std::lock_guard lock(mutex_);
@@ -48,14 +44,14 @@ class Inputs {
     read_.clear();
     names_.clear();
   }
-  bool contains(const struct stat& status) {
+  bool contains(const FileStatus& status) {
     const std::lock_guard lock(mutex_);
-    return read_.contains(identityOf(status));
+    return read_.contains(status.identity);
   }
 
  private:
   std::mutex mutex_;
-  std::set<Identity> read_;
+  std::set<decltype(FileStatus::identity)> read_;
   std::set<std::string> names_;
 };
 
@@ -73,7 +69,7 @@ std::map<std::string, HeldText>& heldTexts() {
 std::string heldKey(const std::string& name) {
   std::error_code error;
   const fs::path place = fs::weakly_canonical(fs::absolute(name), error);
-  return error ? name : place.string();
+  return error ? name : pathName(place);
 }
 
 /// What came on standard input and from pipes, once it has been asked for.
@@ -96,9 +92,8 @@ InputBytes bytesFrom(int file, std::size_t most) {
   std::string bytes;
   std::vector<char> piece(std::size_t{1} << 16);
   while (true) {
-    const ssize_t count = ::read(file, piece.data(), piece.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return {std::nullopt, std::strerror(errno)};
+    const std::int64_t count = readBytes(file, piece.data(), piece.size());
+    if (count < 0) return {std::nullopt, reasonOf(errno)};
     if (count == 0) return {std::move(bytes)};
     if (bytes.size() + static_cast<std::size_t>(count) > most) return {std::nullopt, tooLong(most)};
     bytes.append(piece.data(), static_cast<std::size_t>(count));
@@ -106,122 +101,99 @@ InputBytes bytesFrom(int file, std::size_t most) {
 }
 
 InputBytes bytesFromDisk(const std::string& name, std::size_t most) {
-  const int file = ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return {std::nullopt, std::strerror(errno)};
-  struct stat status {};
+  const int file = openToRead(name);
+  if (file < 0) return {std::nullopt, reasonOf(errno)};
+  const std::optional<FileStatus> status = openStatus(file);
   InputBytes result;
-  if (::fstat(file, &status) != 0)
-    result.problem = std::strerror(errno);
-  else if (S_ISDIR(status.st_mode))
+  if (!status)
+    result.problem = reasonOf(errno);
+  else if (status->isFolder())
     result.problem = "it is a folder";
-  else if (S_ISREG(status.st_mode) && static_cast<std::size_t>(status.st_size) > most)
+  else if (status->isRegular() && status->size > most)
     result.problem = tooLong(most);
   else
     result = bytesFrom(file, most);
-  ::close(file);
-  if (!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) givenOnce()[name] = result;
+  closeFile(file);
+  if (!status || status->kind == FileKind::Other) givenOnce()[name] = result;
   return result;
 }
 
 /// A name that ends in ".PID.part", without that; and the process.
-std::optional<std::pair<std::string_view, pid_t>> splitPart(std::string_view name) {
+std::optional<std::pair<std::string_view, std::int64_t>> splitPart(std::string_view name) {
   constexpr std::string_view ending = ".part";
   if (!name.ends_with(ending)) return std::nullopt;
   name.remove_suffix(ending.size());
   const std::size_t point = name.rfind('.');
-  pid_t process = 0;
+  std::int32_t process = 0;
   if (point == std::string_view::npos) return std::nullopt;
   const auto [end, error] = std::from_chars(name.data() + point + 1, name.data() + name.size(), process);
   if (error != std::errc() || end != name.data() + name.size() || process <= 0) return std::nullopt;
-  return std::pair(name.substr(0, point), process);
+  return std::pair(name.substr(0, point), std::int64_t{process});
 }
 
 /// Whether the process that wrote it is gone: no process here has its number, and nobody holds the file.
-bool isStale(const fs::path& part, pid_t process) {
-  if (process == ::getpid() || ::kill(process, 0) == 0 || errno != ESRCH) return false;
-  const int file = ::open(part.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-  if (file < 0) return false;
-  struct stat status {};
-  const bool isOurs = ::fstat(file, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == ::geteuid();
-  const bool isFree = isOurs && ::flock(file, LOCK_EX | LOCK_NB) == 0;
-  ::close(file);
-  return isFree;
-}
+bool isStale(const fs::path& part, std::int64_t process) { return isProcessGone(process) && isLeft(part); }
 
-Failure failureOf(const std::string& name, const char* reason, std::string help = {}) {
+Failure failureOf(const std::string& name, const std::string& reason, std::string help = {}) {
   return {fmt::format("'{}' cannot be written: {}", name, reason), {}, std::move(help)};
-}
-
-/// All bytes, also where the system takes them in pieces; errno tells why not.
-bool writePiece(int file, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t count = ::write(file, text.data(), text.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    text.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return true;
 }
 
 /// Everything that `text` gives; errno tells why not, 0: it gave up.
 bool writeAll(int file, const PiecewiseText& text) {
   bool isTaken = true;
-  const bool isWhole = text([&](std::string_view piece) { return isTaken = writePiece(file, piece); });
+  const bool isWhole = text([&](std::string_view piece) { return isTaken = writeBytes(file, piece); });
   if (isTaken && !isWhole) errno = 0;
   return isTaken && isWhole;
 }
 
 /// Why writeAll() did not; without a message where the text gave up: whoever gives it knows why.
 Failure failureOf(const std::string& name, int reason) {
-  return reason == 0 ? Failure{} : failureOf(name, std::strerror(reason));
+  return reason == 0 ? Failure{} : failureOf(name, reasonOf(reason));
 }
 
 /// Into what stands there, without replacing it. A pipe without a reader is an error, not the end of the program.
 std::optional<Failure> writeDirectly(const std::string& name, const PiecewiseText& text, bool isRegular) {
-  const int file = ::open(name.c_str(), O_WRONLY | O_CLOEXEC | (isRegular ? O_TRUNC : 0));
-  if (file < 0) return failureOf(name, std::strerror(errno));
-  const auto before = std::signal(SIGPIPE, SIG_IGN);
+  const int file = openToWrite(name, isRegular ? Emptied::Yes : Emptied::No);
+  if (file < 0) return failureOf(name, reasonOf(errno));
+  const OutlivedReaders guard;
   const bool isWritten = writeAll(file, text);
   const int reason = errno;
-  std::signal(SIGPIPE, before);
-  if (::close(file) == 0 && isWritten) return std::nullopt;
+  if (closeFile(file) && isWritten) return std::nullopt;
   return failureOf(name, isWritten ? errno : reason);
 }
 
 /// Beside the target, then in its place. `old`: what stands there now, or nullptr.
 std::optional<Failure> replaceWhole(const std::string& name, const fs::path& target, const PiecewiseText& text,
-                                    const struct stat* old) {
-  removeStaleParts(target.parent_path(), target.filename().string());
-  const std::string part = partOf(target.string());
-  const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (file >= 0) static_cast<void>(::flock(file, LOCK_EX | LOCK_NB));  // somebody writes: removeStaleParts() sees it
+                                    const FileStatus* old) {
+  removeStaleParts(target.parent_path(), pathName(target.filename()));
+  const std::string part = partOf(pathName(target));
+  const int file = openNew(part, Readers::Usual);  // held: removeStaleParts() sees that somebody writes
   if (file < 0) {
     // A folder in which nothing may be made can still hold a file that may be written.
-    if (old != nullptr) return writeDirectly(target.string(), text, true);
-    return failureOf(name, std::strerror(errno));
+    if (old != nullptr) return writeDirectly(pathName(target), text, true);
+    return failureOf(name, reasonOf(errno));
   }
   bool isDone = true;
   if (old != nullptr) {
-    const bool isOwn = old->st_uid == ::geteuid() && old->st_gid == ::getegid();
-    isDone = (isOwn || ::fchown(file, old->st_uid, old->st_gid) == 0) && ::fchmod(file, old->st_mode & 07777U) == 0;
+    isDone = makeLike(file, *old);
     if (!isDone) {
-      ::close(file);
-      ::unlink(part.c_str());
-      return writeDirectly(target.string(), text, true);
+      closeFile(file);
+      removeFile(part);
+      return writeDirectly(pathName(target), text, true);
     }
   }
   isDone = writeAll(file, text);
   int reason = isDone ? 0 : errno;
-  if (::close(file) != 0 && isDone) {
+  if (!closeFile(file) && isDone) {
     isDone = false;
     reason = errno;
   }
-  if (isDone && ::rename(part.c_str(), target.c_str()) != 0) {
+  if (isDone && !replaceFile(part, target)) {
     isDone = false;
     reason = errno;
   }
   if (isDone) return std::nullopt;
-  ::unlink(part.c_str());
+  removeFile(part);
   return failureOf(name, reason);
 }
 
@@ -229,15 +201,16 @@ std::optional<Failure> replaceWhole(const std::string& name, const fs::path& tar
 
 void noteInput(const std::string& name) {
   inputs().add(name);
-  struct stat status {};
-  if (::stat(name.c_str(), &status) == 0 && S_ISREG(status.st_mode)) inputs().add(status);
+  const std::optional<FileStatus> status = fileStatus(name);
+  if (status && status->isRegular()) inputs().add(*status);
 }
 
 std::vector<std::string> inputNames() { return inputs().names(); }
 
 const std::string& standardInput() {
   static const std::string nothing;
-  if (!givenOnce().contains(standardName)) givenOnce()[standardName] = bytesFrom(STDIN_FILENO, longestInput);
+  if (!givenOnce().contains(standardName))
+    givenOnce()[standardName] = bytesFrom(static_cast<int>(Stream::In), longestInput);
   const InputBytes& given = givenOnce()[standardName];
   return given.bytes ? *given.bytes : nothing;
 }
@@ -254,6 +227,8 @@ void confineInputs(const fs::path& folder) {
   confinement() = folder.empty() ? folder : fs::weakly_canonical(fs::absolute(folder), error);
 }
 
+const fs::path& inputsConfinedTo() { return confinement(); }
+
 std::optional<std::string> confinedAgainst(const std::string& name) {
   const fs::path& home = confinement();
   if (home.empty()) return std::nullopt;
@@ -261,27 +236,29 @@ std::optional<std::string> confinedAgainst(const std::string& name) {
   const fs::path place = fs::weakly_canonical(fs::absolute(name), error);
   const fs::path inside = place.lexically_relative(home);
   if (!error && !inside.empty() && *inside.begin() != "..") return std::nullopt;
-  return fmt::format("it lies outside '{}', the folder that tools may read (--root)", home.string());
+  return fmt::format("it lies outside '{}', the folder that tools may read (--root)", pathName(home));
 }
 
 void removeStaleParts(const fs::path& folder, std::string_view name) {
   std::error_code error;
   const fs::path place = folder.empty() ? fs::path(".") : folder;
   for (fs::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error)) {
-    const std::string part = entry->path().filename().string();
+    const std::string part = pathName(entry->path().filename());
     const auto split = splitPart(part);
     if (split && (name.empty() || split->first == name) && isStale(entry->path(), split->second))
-      ::unlink(entry->path().c_str());
+      removeFile(entry->path());
   }
 }
 
-std::string partOf(const std::string& target) { return target + fmt::format(".{}.part", ::getpid()); }
+std::string partOf(const std::string& target) { return target + fmt::format(".{}.part", processNumber()); }
 
 void holdText(const std::string& name, HeldText text) { heldTexts()[heldKey(name)] = std::move(text); }
 
 void releaseText(const std::string& name) { heldTexts().erase(heldKey(name)); }
 
 bool holdsTexts() { return !heldTexts().empty(); }
+
+const std::map<std::string, HeldText>& allHeldTexts() { return heldTexts(); }
 
 const HeldText* heldText(const std::string& name) {
   if (heldTexts().empty()) return nullptr;
@@ -292,7 +269,7 @@ const HeldText* heldText(const std::string& name) {
 InputBytes inputBytes(const std::string& name, std::size_t most) {
   if (const HeldText* held = heldText(name)) return {held->text};
   if (const auto given = givenOnce().find(name); given != givenOnce().end()) return given->second;
-  if (name == standardName) return givenOnce()[name] = bytesFrom(STDIN_FILENO, most);
+  if (name == standardName) return givenOnce()[name] = bytesFrom(static_cast<int>(Stream::In), most);
   if (auto problem = confinedAgainst(name)) return {std::nullopt, *std::move(problem)};
   noteInput(name);
   return bytesFromDisk(name, most);
@@ -307,20 +284,20 @@ std::optional<std::string> bytesOfConfiguration(const std::string& name) {
 }
 
 std::string nameInProject(const std::string& name, const fs::path& root) {
-  if (root.empty()) return name;
+  if (root.empty()) return plainName(name);
   std::error_code error;
   const fs::path place = fs::weakly_canonical(name, error), home = fs::weakly_canonical(root, error);
   const fs::path inside = place.lexically_relative(home);
-  return error || inside.empty() || *inside.begin() == ".." ? name : inside.generic_string();
+  return error || inside.empty() || *inside.begin() == ".." ? plainName(name) : inside.generic_string();
 }
 
 bool fitsPattern(const std::string& name, const std::string& pattern) {
-  return fnmatch((pattern.ends_with('/') ? pattern + "*" : pattern).c_str(), name.c_str(), 0) == 0;
+  return fitsShellPattern(name, pattern.ends_with('/') ? pattern + "*" : pattern);
 }
 
 std::string pathInProject(const std::string& name, const fs::path& root) {
   std::error_code error;
-  return !root.empty() && fs::exists(root / name, error) ? (root / name).string() : name;
+  return !root.empty() && fs::exists(root / name, error) ? pathName(root / name) : name;
 }
 
 fs::path behindLinks(const fs::path& name) {
@@ -341,27 +318,27 @@ std::optional<Failure> writeOutputFile(const std::string& name, std::string_view
 }
 
 std::optional<Failure> writeOutputFile(const std::string& name, const PiecewiseText& text, InputFile input) {
-  struct stat old {};
-  if (::stat(name.c_str(), &old) != 0) {
-    if (errno != ENOENT) return failureOf(name, std::strerror(errno));
+  const std::optional<FileStatus> old = fileStatus(name);
+  if (!old) {
+    if (errno != ENOENT) return failureOf(name, reasonOf(errno));
     const fs::path target = behindLinks(name);
-    if (target.empty()) return failureOf(name, std::strerror(ELOOP));
+    if (target.empty()) return failureOf(name, reasonOf(ELOOP));
     return replaceWhole(name, target, text, nullptr);
   }
-  if (S_ISDIR(old.st_mode)) return failureOf(name, "it is a folder", "give the name of a file");
-  if (!S_ISREG(old.st_mode)) return writeDirectly(name, text, false);
-  if (input == InputFile::Refuse && inputs().contains(old))
+  if (old->isFolder()) return failureOf(name, "it is a folder", "give the name of a file");
+  if (!old->isRegular()) return writeDirectly(name, text, false);
+  if (input == InputFile::Refuse && inputs().contains(*old))
     return failureOf(name, "it has been read as input", "give the output another name");
-  if ((old.st_mode & 0222U) == 0 || ::access(name.c_str(), W_OK) != 0)
+  if (!old->isWritable || !mayWrite(name))
     return failureOf(name, "it is write-protected", "permit writing first, or give the output another name");
-  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
-    struct stat open {};
-    if (::fstat(stream, &open) == 0 && identityOf(open) == identityOf(old))  // /dev/stdout, led into a file
+  for (const int stream : {static_cast<int>(Stream::Out), static_cast<int>(Stream::Err)}) {
+    const std::optional<FileStatus> open = openStatus(stream);
+    if (open && open->identity == old->identity)  // /dev/stdout, led into a file
       return writeAll(stream, text) ? std::nullopt : std::optional(failureOf(name, errno));
   }
-  if (old.st_nlink > 1) return writeDirectly(name, text, true);  // all its names stay the same file
+  if (old->names > 1) return writeDirectly(name, text, true);  // all its names stay the same file
   const fs::path target = behindLinks(name);
-  return target.empty() ? failureOf(name, std::strerror(ELOOP)) : replaceWhole(name, target, text, &old);
+  return target.empty() ? failureOf(name, reasonOf(ELOOP)) : replaceWhole(name, target, text, &*old);
 }
 
 }  // namespace rungproof

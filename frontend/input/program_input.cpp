@@ -27,6 +27,7 @@
 #include "ir/iec/syntax.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/organization_block.hpp"
+#include "platform/names.hpp"
 
 namespace rungproof {
 
@@ -314,11 +315,11 @@ std::vector<std::string> expandFolders(const std::vector<std::string>& names) {
     std::vector<std::string> found, others;
     for (fs::recursive_directory_iterator entry(name, fs::directory_options::skip_permission_denied, error), end;
          !error && entry != end; entry.increment(error)) {
-      if (entry->is_regular_file(error) && isProgramName(entry->path().string()))
-        found.push_back(entry->path().string());
+      if (entry->is_regular_file(error) && isProgramName(pathName(entry->path())))
+        found.push_back(pathName(entry->path()));
       else if (entry->is_regular_file(error) &&
-               endsInAny(entry->path().string(), {".csv", ".txt", ".sdf", ".tsv", ".asc", ".seq", ".dif"}))
-        others.push_back(entry->path().string());
+               endsInAny(pathName(entry->path()), {".csv", ".txt", ".sdf", ".tsv", ".asc", ".seq", ".dif"}))
+        others.push_back(pathName(entry->path()));
     }
     // Tables belong to the one program of the folder; which of several they would belong to, nobody says.
     const auto isMain = [&](const std::string& file) { return holdsMain(readProgram({file}), file, found); };
@@ -343,7 +344,7 @@ std::optional<Failure> folderFailure(const std::vector<std::string>& names) {
     bool holdsProgram = !projectsIn(name).empty();
     for (fs::recursive_directory_iterator entry(name, fs::directory_options::skip_permission_denied, error), end;
          !error && entry != end && !holdsProgram; entry.increment(error))
-      holdsProgram = isProgramName(entry->path().string()) && entry->is_regular_file(error);
+      holdsProgram = isProgramName(pathName(entry->path())) && entry->is_regular_file(error);
     if (!holdsProgram) return Failure{"the folder holds no program", name, "programs end in .awl, .stl or .xml"};
   }
   return std::nullopt;

@@ -25,6 +25,7 @@
 #include "frontend/stl/syntax_sink.hpp"
 #include "frontend/xml/xml_text.hpp"
 #include "ir/s7200/cpu.hpp"
+#include "platform/names.hpp"
 
 namespace rungproof {
 
@@ -307,7 +308,7 @@ std::vector<std::string> textsBeside(const std::vector<std::string>& files) {
   std::vector<std::string> found;
   for (const std::string& file : files) {
     if (!endsInAny(file, {".s7dcl"})) continue;
-    const std::string texts = std::filesystem::path(file).replace_extension(".s7res").string();
+    const std::string texts = pathName(std::filesystem::path(file).replace_extension(".s7res"));
     std::error_code error;
     if (std::filesystem::is_regular_file(texts, error) && std::ranges::find(files, texts) == files.end())
       found.push_back(texts);

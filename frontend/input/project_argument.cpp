@@ -14,6 +14,7 @@
 #include "frontend/mc7/upload.hpp"
 #include "frontend/s7project/archive.hpp"
 #include "frontend/stl/stl_lexer.hpp"
+#include "platform/names.hpp"
 
 namespace rungproof {
 
@@ -26,7 +27,7 @@ using s7project::S7Project;
 
 bool isProjectArchive(const std::string& name) {
   if (!endsInAny(name, {".zip"}) || confinedAgainst(name)) return false;
-  std::ifstream file(name, std::ios::binary);
+  std::ifstream file(fs::path(name), std::ios::binary);
   std::string head(4, '\0');
   if (!file.read(head.data(), 4) || !s7project::Archive::isArchive(head)) return false;
   const InputBytes input = inputBytes(name, longestProgram);
@@ -81,8 +82,8 @@ std::vector<std::string> projectsIn(const std::string& folder) {
       std::error_code unknown;
       if (entry->is_directory(unknown) && depth > 0)
         self(entry->path(), self, depth - 1);
-      else if (s7project::isProjectFileName(entry->path().string()) && entry->is_regular_file(unknown))
-        found.push_back(entry->path().string());
+      else if (s7project::isProjectFileName(pathName(entry->path())) && entry->is_regular_file(unknown))
+        found.push_back(pathName(entry->path()));
     }
   };
   look(folder, look, 1);
@@ -189,7 +190,7 @@ std::vector<mc7::StoredBlock> storedBlocksOf(const std::vector<std::string>& fil
 
 bool areUploads(const std::vector<std::string>& files) {
   return !files.empty() && std::ranges::all_of(files, [](const std::string& name) {
-    std::ifstream file(name, std::ios::binary);
+    std::ifstream file(fs::path(name), std::ios::binary);
     std::string head(6, '\0');
     return file.read(head.data(), 6) && mc7::isUpload(head);
   });

@@ -12,6 +12,7 @@
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/json.hpp"
 #include "frontend/linting/fingerprint.hpp"
+#include "platform/names.hpp"
 
 namespace rungproof {
 
@@ -106,7 +107,7 @@ bool mayBeSameFile(const std::string& a, const std::string& b) {
     std::vector<std::string> result;
     for (const std::filesystem::path& part : std::filesystem::path(name).lexically_normal()) {
       if (part == ".." || part == "." || part == "/") continue;
-      result.push_back(part.string());
+      result.push_back(pathName(part));
     }
     return result;
   };

@@ -12,6 +12,7 @@
 #include "frontend/linting/fingerprint.hpp"
 #include "frontend/report/long_array.hpp"
 #include "frontend/report_basis.hpp"
+#include "platform/names.hpp"
 
 namespace rungproof {
 
@@ -22,7 +23,8 @@ std::string_view levelName(Severity severity) {
 }
 
 /// A relative reference as RFC 3986 wants it: bytes outside the unreserved set are percent-encoded.
-std::string uriOf(std::string_view path) {
+std::string uriOf(std::string_view name) {
+  const std::string path = uriPathOfName(std::string(name));
   std::string uri;
   for (const char c : path) {
     const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||

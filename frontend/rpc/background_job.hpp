@@ -2,32 +2,38 @@
 // as much memory as it gets, and ends without a trace when it is cancelled. Tested through tests/editor/proof_test.cpp.
 #pragma once
 
-#include <sys/types.h>
-
-#include <functional>
 #include <optional>
 #include <string>
 
+#include "frontend/files/json.hpp"
+#include "platform/child_process.hpp"
+
 namespace rungproof {
+
+/// A worker, and what it is asked.
+struct JobRequest {
+  const Worker* worker;
+  Json asked;
+};
+/// Of a worker: the texts that the server holds and the folder that it may read count here too; then what was asked.
+/// Nothing if the request is damaged.
+std::optional<Json> takeJobRequest(const std::string& request);
 
 class BackgroundJob {
  public:
-  /// Runs `work` in a child of this process, which must have no other thread.
-  explicit BackgroundJob(const std::function<std::string()>& work);
-  ~BackgroundJob();
-  BackgroundJob(const BackgroundJob&) = delete;
-  BackgroundJob& operator=(const BackgroundJob&) = delete;
+  /// This process must have no other thread.
+  explicit BackgroundJob(const JobRequest& request);
 
-  /// Where its result comes; readable when there is something to take. Negative: it could not be started.
-  int descriptor() const { return descriptor_; }
+  bool hasBegun() const { return child_.hasBegun(); }
+  /// Where its result comes; ready when there is something to take.
+  const Waitable& waitable() { return child_.output(); }
   /// Takes what has come; true: it has ended.
   bool take();
-  /// What `work` gave; nothing if it did not come to its end.
+  /// What the worker gave; nothing if it did not come to its end.
   std::optional<std::string> result() const { return hasEndedWell_ ? std::optional(text_) : std::nullopt; }
 
  private:
-  pid_t child_ = -1;
-  int descriptor_ = -1;
+  ChildProcess child_;
   std::string text_;
   bool hasEndedWell_ = false;
 };

@@ -1,18 +1,12 @@
 // The loop of a server.
 #include "frontend/rpc/rpc_server.hpp"
 
-#include <poll.h>
-#include <unistd.h>
-
-#include <array>
-#include <cerrno>
-#include <csignal>
 #include <vector>
 
 namespace rungproof {
 
 bool RpcServer::serve() {
-  std::signal(SIGPIPE, SIG_IGN);
+  outliveReaders();
   while (!isStopped_ && hasReader_) {
     if (waiting_.empty()) {
       settle();
@@ -35,25 +29,24 @@ bool RpcServer::serve() {
 
 /// Waits for input or the end of a job, which is handled at once. True: there is input.
 bool RpcServer::waitForInput(int milliseconds) {
-  std::vector<pollfd> watched = {{in_, POLLIN, 0}};
-  for (const Running& running : running_) watched.push_back({running.job->descriptor(), POLLIN, 0});
-  if (::poll(watched.data(), watched.size(), milliseconds) <= 0) return false;
+  std::vector<const Waitable*> watched = {&in_};
+  for (const Running& running : running_) watched.push_back(&running.job->waitable());
+  const std::vector<bool> ready = waitForAny(watched, milliseconds);
   std::size_t i = 1;
   std::list<Running> ended;
   for (auto running = running_.begin(); running != running_.end(); ++i) {
     const auto current = running++;
-    if (watched[i].revents != 0 && current->job->take()) ended.splice(ended.end(), running_, current);
+    if (ready[i] && current->job->take()) ended.splice(ended.end(), running_, current);
   }
   for (Running& running : ended) running.done(running.job->result());
-  return watched[0].revents != 0;
+  return ready[0];
 }
 
 bool RpcServer::readMore() {
-  std::array<char, 65536> piece{};
-  const ssize_t count = ::read(in_, piece.data(), piece.size());
-  if (count < 0 && errno == EINTR) return true;
-  if (count <= 0) return false;
-  stream_.append({piece.data(), static_cast<std::size_t>(count)});
+  std::string piece;
+  const ByteSource::Taken taken = in_.take(piece);
+  if (taken == ByteSource::Taken::End) return false;
+  stream_.append(piece);
   takeIn();
   return true;
 }
@@ -84,22 +77,15 @@ void RpcServer::cancel(const RpcMessage& notification) {
   if (const std::optional<RpcFault> answer = cancelAnswer()) send(faultText(*id, *answer));
 }
 
-void RpcServer::begin(const Json& id, const std::function<std::string()>& work,
-                      std::function<void(std::optional<std::string>)> done) {
+void RpcServer::begin(const Json& id, const JobRequest& work, std::function<void(std::optional<std::string>)> done) {
   auto job = std::make_unique<BackgroundJob>(work);
-  if (job->descriptor() < 0) return done(std::nullopt);
+  if (!job->hasBegun()) return done(std::nullopt);
   running_.push_back({id, std::move(job), std::move(done)});
 }
 
 void RpcServer::send(const std::string& body) {
   const std::string text = framed(framing_, body);
-  std::string_view rest = text;
-  while (!rest.empty() && hasReader_) {
-    const ssize_t count = ::write(out_, rest.data(), rest.size());
-    if (count < 0 && errno == EINTR) continue;
-    hasReader_ = count > 0;
-    if (hasReader_) rest.remove_prefix(static_cast<std::size_t>(count));
-  }
+  hasReader_ = hasReader_ && writeBytes(out_, text);
 }
 
 }  // namespace rungproof

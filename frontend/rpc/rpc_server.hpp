@@ -42,9 +42,8 @@ class RpcServer {
   }
   void notify(std::string_view method, Json params) { send(notificationText(method, std::move(params))); }
   void ask(std::string_view method, Json params) { send(requestText(++asked_, method, std::move(params))); }
-  /// Runs `work` in a child process, then `done` here with its result. `id`: of the request that it answers.
-  void begin(const Json& id, const std::function<std::string()>& work,
-             std::function<void(std::optional<std::string>)> done);
+  /// Works in a child process, then `done` here with its result. `id`: of the request that it answers.
+  void begin(const Json& id, const JobRequest& work, std::function<void(std::optional<std::string>)> done);
   void stop() { isStopped_ = true; }
 
  private:
@@ -59,7 +58,8 @@ class RpcServer {
   void cancel(const RpcMessage& notification);
   bool waitForInput(int milliseconds);
 
-  int in_, out_;
+  ByteSource in_;
+  int out_;
   Framing framing_;
   MessageStream stream_;
   std::deque<RpcMessage> waiting_;

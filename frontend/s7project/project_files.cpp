@@ -7,6 +7,7 @@
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/file_reader.hpp"
 #include "frontend/s7project/archive.hpp"
+#include "platform/names.hpp"
 
 namespace rungproof::s7project {
 
@@ -34,14 +35,14 @@ ProjectFiles ProjectFiles::inFolder(const std::string& projectFile) {
   namespace fs = std::filesystem;
   ProjectFiles files;
   const fs::path path(projectFile);
-  files.projectFile_ = path.filename().string();
+  files.projectFile_ = pathName(path.filename());
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   std::error_code error;
   for (fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error), end;
        !error && entry != end; entry.increment(error)) {
     std::error_code unknown;
     if (entry->is_regular_file(unknown))
-      files.add(entry->path().lexically_relative(folder).generic_string(), entry->path().string());
+      files.add(entry->path().lexically_relative(folder).generic_string(), pathName(entry->path()));
   }
   return files;
 }

@@ -8,6 +8,7 @@
 
 #include "frontend/files/closest_word.hpp"
 #include "frontend/files/disk_file.hpp"
+#include "platform/names.hpp"
 
 #define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>
@@ -118,7 +119,7 @@ class Reader {
                      {},
                      fmt::format("name one in it, or give {} on the command line", option)};
     const fs::path nearer = fs::proximate(target, error);
-    name = (error || nearer.empty() ? target : nearer).string();
+    name = pathName(error || nearer.empty() ? target : nearer);
     return std::nullopt;
   }
 
@@ -205,7 +206,7 @@ class Reader {
     if (fs::path(file).is_absolute()) return file;
     std::error_code error;
     const fs::path nearer = fs::proximate(folder_ / file, error);
-    return error || nearer.empty() ? (folder_ / file).string() : nearer.string();
+    return error || nearer.empty() ? pathName(folder_ / file) : pathName(nearer);
   }
 
   static std::optional<std::vector<std::string>> textsOf(const toml::node& node) {
@@ -295,11 +296,11 @@ std::optional<Failure> readBase(const toml::table& root, const fs::path& file, c
 std::optional<Failure> readLayer(const fs::path& file, Settings& settings, int depth) {
   std::error_code error;
   const fs::path nearer = fs::proximate(file, error);
-  const std::string name = error || nearer.empty() ? file.string() : nearer.string();
+  const std::string name = error || nearer.empty() ? pathName(file) : pathName(nearer);
   // The configuration itself may lie above the folder that tools may read; what it names may not.
-  if (auto problem = depth > 0 ? confinedAgainst(file.string()) : std::nullopt)
+  if (auto problem = depth > 0 ? confinedAgainst(pathName(file)) : std::nullopt)
     return Failure{"the configuration file cannot be read: " + *problem, name};
-  const std::optional<std::string> text = bytesOfConfiguration(file.string());
+  const std::optional<std::string> text = bytesOfConfiguration(pathName(file));
   if (!text) return Failure{"the configuration file cannot be read", name};
   if (const std::size_t line = lineOfDeepKey(*text); line > 0)
     return Failure{fmt::format("a key has more than {} parts", mostKeyParts), fmt::format("{}:{}", name, line)};

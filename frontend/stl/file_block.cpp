@@ -6,6 +6,7 @@
 #include <set>
 
 #include "frontend/stl/stl_lexer.hpp"
+#include "platform/names.hpp"
 
 namespace rungproof {
 
@@ -64,7 +65,7 @@ std::set<int> routineNumbers(const Program& program) {
 
 FileBlock fileBlock(std::string_view path) {
   FileBlock block;
-  block.name = std::filesystem::path(path).stem().string();
+  block.name = pathName(std::filesystem::path(path).stem());
   if (const auto parts = partsOf(block.name)) {
     block.kind = parts->kind;
     block.number = parts->number;

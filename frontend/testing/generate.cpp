@@ -16,6 +16,7 @@
 #include "frontend/testing/table_run.hpp"
 #include "frontend/testing/test_output.hpp"
 #include "frontend/testing/test_purpose.hpp"
+#include "platform/names.hpp"
 
 namespace rungproof {
 
@@ -174,8 +175,8 @@ bool writeEach(const Context& context, const std::string& directory, const std::
   for (const FileToWrite& file : files) {
     const fs::path path = fs::path(directory) / file.name;
     fs::create_directories(path.parent_path(), error);
-    if (context.write({file.form, path.string()}, file.text)) {
-      written.push_back(path.string());
+    if (context.write({file.form, pathName(path)}, file.text)) {
+      written.push_back(pathName(path));
       continue;
     }
     for (const std::string& name : written) fs::remove(name, error);
@@ -224,7 +225,7 @@ bool generateInto(TestReport& report, TestTable& table, const Context& context, 
   report.asked = request.measures;
   sheet.coverage = *report.coverage;
   sheet.basis = basisOf(made, options);
-  made.table.file = (std::filesystem::path(request.directory) / "tests.csv").string();
+  made.table.file = pathName(std::filesystem::path(request.directory) / "tests.csv");
 
   Json coverage = {{"instructions", request.read.instructions},
                    {"understood", request.read.understood},

@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 
 /// The rooms, each with those that it may include from. Who may include from `ir` may from the families too.
 const std::map<std::string, std::set<std::string>> roomsBelow = {
+    {"platform", {}},
     {"ir", {}},
     // The families run on one machine, of which each has its part.
     {"ir/s7200", {"ir", "ir/s7300", "ir/iec"}},
@@ -43,7 +44,7 @@ const std::map<std::string, std::set<std::string>> roomsBelow = {
     {"analysis/bits", {"ir", "analysis/graph", "analysis/schedule"}},
     {"analysis/encoding", {"ir", "engine", "analysis", "analysis/flow", "analysis/graph", "analysis/bits"}},
     {"analysis/words", {"ir", "analysis/graph", "analysis/bits", "analysis/schedule"}},
-    {"analysis/recheck", {"ir", "analysis/graph", "analysis/schedule"}},
+    {"analysis/recheck", {"ir", "platform", "analysis/graph", "analysis/schedule"}},
     {"analysis/portfolio",
      {"ir", "analysis/graph", "analysis/bits", "analysis/words", "analysis/recheck", "analysis/schedule"}},
     {"analysis/export", {"ir", "analysis/graph", "analysis/bits"}},
@@ -51,7 +52,7 @@ const std::map<std::string, std::set<std::string>> roomsBelow = {
     {"analysis/witness",
      {"ir", "engine", "analysis", "analysis/graph", "analysis/bits", "analysis/encoding", "analysis/schedule"}},
     {"analysis/proof",
-     {"ir", "engine", "analysis", "analysis/flow", "analysis/unread", "analysis/graph", "analysis/bits",
+     {"ir", "engine", "platform", "analysis", "analysis/flow", "analysis/unread", "analysis/graph", "analysis/bits",
       "analysis/encoding", "analysis/asking", "analysis/witness", "analysis/portfolio", "analysis/schedule"}},
     {"analysis/equivalence",
      {"ir", "engine", "analysis", "analysis/flow", "analysis/lint", "analysis/unread", "analysis/graph",
@@ -74,7 +75,7 @@ const std::vector<Source>& sources() {
   static const std::vector<Source> all = [] {
     std::vector<Source> found;
     const fs::path root = RUNGPROOF_SOURCE_DIR;
-    for (const char* top : {"ir", "engine", "analysis", "frontend"}) {
+    for (const char* top : {"platform", "ir", "engine", "analysis", "frontend"}) {
       for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
         if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
         std::stringstream text;
@@ -164,7 +165,7 @@ TEST(Layout, FoldersIncludeInNoCircle) {
 
 TEST(Layout, TheReadmeOfEachFloorSaysWhatLivesInEveryFolder) {
   std::map<std::string, std::string> readmes;
-  for (const std::string floor : {"ir", "engine", "analysis", "frontend"}) {
+  for (const std::string floor : {"platform", "ir", "engine", "analysis", "frontend"}) {
     std::stringstream text;
     text << std::ifstream(fs::path(RUNGPROOF_SOURCE_DIR) / floor / "README.md").rdbuf();
     readmes[floor] = text.str();
@@ -182,7 +183,7 @@ TEST(Layout, TheReadmeOfEachFloorSaysWhatLivesInEveryFolder) {
 TEST(Layout, TopLevelHoldsNothingElse) {
   const std::set<std::string> known = {
       "CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "analysis", "corpus",
-      "engine",         "frontend",          "ir",      "tests",     "build"};
+      "engine",         "frontend",          "ir",      "platform",  "tests",    "build"};
   for (const auto& entry : fs::directory_iterator(RUNGPROOF_SOURCE_DIR)) {
     const std::string name = entry.path().filename().string();
     EXPECT_TRUE(name.starts_with(".") || known.contains(name)) << name;
@@ -194,6 +195,28 @@ TEST(Layout, NoFileIsTooLongToRead) {
     EXPECT_LE(std::count(source.text.begin(), source.text.end(), '\n'), 600) << source.path;
     EXPECT_TRUE(source.text.starts_with("// ")) << source.path << " does not say what it is for";
   }
+}
+
+TEST(Layout, OnlyThePlatformKnowsTheSystem) {
+  // Questions of the preprocessor, and headers that only one system has.
+  const std::regex asked(
+      "# *(if|ifdef|ifndef|elif).*\\b(_WIN32|__WIN32|WIN32|__linux__|__unix__|__APPLE__|__MINGW\\w*)\\b|"
+      "# *include *<(unistd|poll|fcntl|fnmatch|dlfcn|elf|link|pthread|termios|spawn|dirent|glob|malloc|io|windows|"
+      "winsock2|shlobj|sys/\\w+)\\.h>|# *include *<csignal>");
+  EXPECT_TRUE(std::regex_search(std::string("#ifdef _WIN32"), asked));
+  EXPECT_TRUE(std::regex_search(std::string("#if defined(__linux__) && x"), asked));
+  EXPECT_TRUE(std::regex_search(std::string("#include <sys/stat.h>"), asked));
+  EXPECT_FALSE(std::regex_search(std::string("#if defined(__x86_64__)"), asked));
+  EXPECT_FALSE(std::regex_search(std::string("#include <filesystem>"), asked));
+  std::size_t knowing = 0;
+  for (const Source& source : sources()) {
+    const bool isKnown = std::regex_search(source.text, asked);
+    if (source.folder.starts_with("platform/"))
+      knowing += isKnown ? 1 : 0;
+    else
+      EXPECT_FALSE(isKnown) << source.path << " asks for the system; platform/ has an interface for each need";
+  }
+  EXPECT_GT(knowing, 10u) << "the search no longer finds the implementations";
 }
 
 /// Characters of a line of UTF-8.
