@@ -13,13 +13,13 @@
 #include <ostream>
 #include <streambuf>
 
+#include "engine/platform/file.hpp"
+#include "engine/platform/names.hpp"
+#include "engine/platform/private_folder.hpp"
+#include "engine/platform/waitable.hpp"
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/sha256.hpp"
 #include "frontend/settings/config.hpp"
-#include "platform/file.hpp"
-#include "platform/names.hpp"
-#include "platform/private_folder.hpp"
-#include "platform/waitable.hpp"
 
 namespace rungproof {
 

@@ -10,11 +10,11 @@
 #include <optional>
 #include <set>
 
+#include "engine/platform/folder_watch.hpp"
+#include "engine/platform/names.hpp"
 #include "frontend/cli/standard_streams.hpp"
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/file_reader.hpp"
-#include "platform/folder_watch.hpp"
-#include "platform/names.hpp"
 
 namespace rungproof {
 

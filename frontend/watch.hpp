@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/platform/child_process.hpp"
 #include "frontend/files/exit.hpp"
-#include "platform/child_process.hpp"
 
 namespace rungproof {
 

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "platform/memory.hpp"
+#include "engine/platform/memory.hpp"
 
 namespace rungproof {
 

@@ -12,7 +12,7 @@
 #include <unordered_set>
 
 #include "analysis/schedule/schedule.hpp"
-#include "platform/child_process.hpp"
+#include "engine/platform/child_process.hpp"
 
 namespace rungproof {
 

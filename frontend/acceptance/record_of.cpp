@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "analysis/read_errors.hpp"
+#include "engine/platform/names.hpp"
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/sha256.hpp"
 #include "frontend/linting/lint_run.hpp"
@@ -16,7 +17,6 @@
 #include "frontend/simulation/witness_report.hpp"
 #include "frontend/trace_format.hpp"
 #include "ir/iec/cpu.hpp"
-#include "platform/names.hpp"
 
 namespace rungproof {
 

@@ -7,12 +7,12 @@
 #include <iterator>
 #include <optional>
 
+#include "engine/platform/names.hpp"
+#include "engine/platform/private_folder.hpp"
 #include "frontend/assistant/tool.hpp"
 #include "frontend/files/disk_file.hpp"
 #include "frontend/rpc/command_output.hpp"
 #include "frontend/settings/options.hpp"
-#include "platform/names.hpp"
-#include "platform/private_folder.hpp"
 
 namespace rungproof {
 

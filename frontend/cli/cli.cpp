@@ -11,6 +11,7 @@
 #include <ostream>
 #include <streambuf>
 
+#include "engine/platform/names.hpp"
 #include "frontend/cli/argument_parser.hpp"
 #include "frontend/files/closest_word.hpp"
 #include "frontend/files/disk_file.hpp"
@@ -19,7 +20,6 @@
 #include "frontend/settings/config.hpp"
 #include "frontend/text/safe_text.hpp"
 #include "frontend/watch.hpp"
-#include "platform/names.hpp"
 
 namespace rungproof {
 

@@ -3,11 +3,11 @@
 #include <iostream>
 
 #include "analysis/recheck/z3_check.hpp"
+#include "engine/platform/console.hpp"
 #include "frontend/assistant/tool.hpp"
 #include "frontend/cli/standard_streams.hpp"
 #include "frontend/editor/proof.hpp"
 #include "frontend/watch.hpp"
-#include "platform/console.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <iostream>
 
-#include "platform/console.hpp"
+#include "engine/platform/console.hpp"
 
 namespace rungproof {
 

@@ -8,6 +8,8 @@
 
 #include "analysis/equivalence/equivalence.hpp"
 #include "analysis/equivalence/output_name.hpp"
+#include "engine/platform/interrupt.hpp"
+#include "engine/platform/names.hpp"
 #include "frontend/command.hpp"
 #include "frontend/explain/certificate_head.hpp"
 #include "frontend/input/proof_input.hpp"
@@ -18,8 +20,6 @@
 #include "frontend/simulation/witness_report.hpp"
 #include "frontend/stl/syntax_message.hpp"
 #include "frontend/testing/table_reader.hpp"
-#include "platform/interrupt.hpp"
-#include "platform/names.hpp"
 
 namespace rungproof {
 

@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
+#include "engine/platform/names.hpp"
 #include "frontend/command.hpp"
 #include "frontend/guide/site.hpp"
-#include "platform/names.hpp"
 
 namespace rungproof {
 

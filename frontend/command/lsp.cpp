@@ -1,7 +1,7 @@
 // `rungproof lsp`: the server behind an editor.
+#include "engine/platform/console.hpp"
 #include "frontend/command.hpp"
 #include "frontend/editor/editor_server.hpp"
-#include "platform/console.hpp"
 
 namespace rungproof {
 

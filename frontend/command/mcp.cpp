@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
+#include "engine/platform/console.hpp"
 #include "frontend/assistant/assistant_server.hpp"
 #include "frontend/command.hpp"
-#include "platform/console.hpp"
 
 namespace rungproof {
 

@@ -13,6 +13,8 @@
 #include "analysis/rule.hpp"
 #include "analysis/selfcheck/self_check.hpp"
 #include "analysis/unread/idle_blocks.hpp"
+#include "engine/platform/interrupt.hpp"
+#include "engine/platform/names.hpp"
 #include "frontend/acceptance/record_of.hpp"
 #include "frontend/command.hpp"
 #include "frontend/explain/certificate_head.hpp"
@@ -29,8 +31,6 @@
 #include "frontend/trace_format.hpp"
 #include "frontend/watch.hpp"
 #include "ir/iec/variables.hpp"
-#include "platform/interrupt.hpp"
-#include "platform/names.hpp"
 
 namespace rungproof {
 

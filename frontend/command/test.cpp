@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "analysis/testing/kill.hpp"
+#include "engine/platform/names.hpp"
 #include "frontend/command.hpp"
 #include "frontend/files/sha256.hpp"
 #include "frontend/input/program_input.hpp"
@@ -20,7 +21,6 @@
 #include "frontend/testing/table_reader.hpp"
 #include "frontend/testing/table_run.hpp"
 #include "frontend/watch.hpp"
-#include "platform/names.hpp"
 
 namespace rungproof {
 

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <sstream>
 
+#include "engine/platform/names.hpp"
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/file_reader.hpp"
 #include "frontend/linting/lint_run.hpp"
-#include "platform/names.hpp"
 
 namespace rungproof {
 

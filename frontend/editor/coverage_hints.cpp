@@ -9,10 +9,10 @@
 
 #include "analysis/unread/unread_code.hpp"
 #include "engine/coverage/coverage_recorder.hpp"
+#include "engine/platform/names.hpp"
 #include "engine/testing/test_player.hpp"
 #include "frontend/files/disk_file.hpp"
 #include "frontend/testing/table_reader.hpp"
-#include "platform/names.hpp"
 
 namespace rungproof {
 

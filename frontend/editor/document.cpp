@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "platform/names.hpp"
+#include "engine/platform/names.hpp"
 
 namespace rungproof {
 

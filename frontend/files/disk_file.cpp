@@ -10,11 +10,11 @@
 #include <set>
 #include <utility>
 
+#include "engine/platform/console.hpp"
+#include "engine/platform/file.hpp"
+#include "engine/platform/names.hpp"
+#include "engine/platform/waitable.hpp"
 #include "frontend/files/held_state.hpp"
-#include "platform/console.hpp"
-#include "platform/file.hpp"
-#include "platform/names.hpp"
-#include "platform/waitable.hpp"
 
 namespace rungproof {
 

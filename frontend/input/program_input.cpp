@@ -11,6 +11,7 @@
 
 #include "analysis/drawing/editor_verdict.hpp"
 #include "analysis/rule.hpp"
+#include "engine/platform/names.hpp"
 #include "frontend/files/file_reader.hpp"
 #include "frontend/input/project_argument.hpp"
 #include "frontend/input/protected_findings.hpp"
@@ -27,7 +28,6 @@
 #include "ir/iec/syntax.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/organization_block.hpp"
-#include "platform/names.hpp"
 
 namespace rungproof {
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <set>
 
+#include "engine/platform/names.hpp"
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/file_reader.hpp"
 #include "frontend/graphical/drawn_build.hpp"
@@ -25,7 +26,6 @@
 #include "frontend/stl/syntax_sink.hpp"
 #include "frontend/xml/xml_text.hpp"
 #include "ir/s7200/cpu.hpp"
-#include "platform/names.hpp"
 
 namespace rungproof {
 

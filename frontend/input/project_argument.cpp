@@ -8,13 +8,13 @@
 #include <filesystem>
 #include <fstream>
 
+#include "engine/platform/names.hpp"
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/file_reader.hpp"
 #include "frontend/mc7/block_source.hpp"
 #include "frontend/mc7/upload.hpp"
 #include "frontend/s7project/archive.hpp"
 #include "frontend/stl/stl_lexer.hpp"
-#include "platform/names.hpp"
 
 namespace rungproof {
 

@@ -9,10 +9,10 @@
 #include <tuple>
 
 #include "analysis/read_errors.hpp"
+#include "engine/platform/names.hpp"
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/json.hpp"
 #include "frontend/linting/fingerprint.hpp"
-#include "platform/names.hpp"
 
 namespace rungproof {
 

@@ -6,13 +6,13 @@
 #include <ostream>
 
 #include "analysis/rule.hpp"
+#include "engine/platform/names.hpp"
 #include "frontend/cli/cli.hpp"
 #include "frontend/explain/rule_page.hpp"
 #include "frontend/files/json.hpp"
 #include "frontend/linting/fingerprint.hpp"
 #include "frontend/report/long_array.hpp"
 #include "frontend/report_basis.hpp"
-#include "platform/names.hpp"
 
 namespace rungproof {
 

@@ -1,8 +1,8 @@
 // What a child process is told of the server, and the result that comes from it.
 #include "frontend/rpc/background_job.hpp"
 
+#include "engine/platform/names.hpp"
 #include "frontend/files/held_state.hpp"
-#include "platform/names.hpp"
 
 namespace rungproof {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "engine/platform/child_process.hpp"
 #include "frontend/files/json.hpp"
-#include "platform/child_process.hpp"
 
 namespace rungproof {
 

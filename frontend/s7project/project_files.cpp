@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/platform/names.hpp"
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/file_reader.hpp"
 #include "frontend/s7project/archive.hpp"
-#include "platform/names.hpp"
 
 namespace rungproof::s7project {
 

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
+#include "engine/platform/names.hpp"
 #include "frontend/files/closest_word.hpp"
 #include "frontend/files/disk_file.hpp"
-#include "platform/names.hpp"
 
 #define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>

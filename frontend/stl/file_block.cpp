@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <set>
 
+#include "engine/platform/names.hpp"
 #include "frontend/stl/stl_lexer.hpp"
-#include "platform/names.hpp"
 
 namespace rungproof {
 

@@ -9,6 +9,7 @@
 #include "analysis/encoding/asked_properties.hpp"
 #include "analysis/witness/follower.hpp"
 #include "analysis/witness/state_pool.hpp"
+#include "engine/platform/names.hpp"
 #include "frontend/explain/certificate_head.hpp"
 #include "frontend/simulation/scan_lengths.hpp"
 #include "frontend/testing/coverage_page.hpp"
@@ -16,7 +17,6 @@
 #include "frontend/testing/table_run.hpp"
 #include "frontend/testing/test_output.hpp"
 #include "frontend/testing/test_purpose.hpp"
-#include "platform/names.hpp"
 
 namespace rungproof {
 

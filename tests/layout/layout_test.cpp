@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 /// The rooms, each with those that it may include from. Who may include from `ir` may from the families too.
 const std::map<std::string, std::set<std::string>> roomsBelow = {
-    {"platform", {}},
+    {"engine/platform", {}},
     {"ir", {}},
     // The families run on one machine, of which each has its part.
     {"ir/s7200", {"ir", "ir/s7300", "ir/iec"}},
@@ -44,7 +44,7 @@ const std::map<std::string, std::set<std::string>> roomsBelow = {
     {"analysis/bits", {"ir", "analysis/graph", "analysis/schedule"}},
     {"analysis/encoding", {"ir", "engine", "analysis", "analysis/flow", "analysis/graph", "analysis/bits"}},
     {"analysis/words", {"ir", "analysis/graph", "analysis/bits", "analysis/schedule"}},
-    {"analysis/recheck", {"ir", "platform", "analysis/graph", "analysis/schedule"}},
+    {"analysis/recheck", {"ir", "engine/platform", "analysis/graph", "analysis/schedule"}},
     {"analysis/portfolio",
      {"ir", "analysis/graph", "analysis/bits", "analysis/words", "analysis/recheck", "analysis/schedule"}},
     {"analysis/export", {"ir", "analysis/graph", "analysis/bits"}},
@@ -52,8 +52,9 @@ const std::map<std::string, std::set<std::string>> roomsBelow = {
     {"analysis/witness",
      {"ir", "engine", "analysis", "analysis/graph", "analysis/bits", "analysis/encoding", "analysis/schedule"}},
     {"analysis/proof",
-     {"ir", "engine", "platform", "analysis", "analysis/flow", "analysis/unread", "analysis/graph", "analysis/bits",
-      "analysis/encoding", "analysis/asking", "analysis/witness", "analysis/portfolio", "analysis/schedule"}},
+     {"ir", "engine", "engine/platform", "analysis", "analysis/flow", "analysis/unread", "analysis/graph",
+      "analysis/bits", "analysis/encoding", "analysis/asking", "analysis/witness", "analysis/portfolio",
+      "analysis/schedule"}},
     {"analysis/equivalence",
      {"ir", "engine", "analysis", "analysis/flow", "analysis/lint", "analysis/unread", "analysis/graph",
       "analysis/bits", "analysis/encoding", "analysis/witness", "analysis/portfolio", "analysis/proof"}},
@@ -75,7 +76,7 @@ const std::vector<Source>& sources() {
   static const std::vector<Source> all = [] {
     std::vector<Source> found;
     const fs::path root = RUNGPROOF_SOURCE_DIR;
-    for (const char* top : {"platform", "ir", "engine", "analysis", "frontend"}) {
+    for (const char* top : {"ir", "engine", "analysis", "frontend"}) {
       for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
         if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
         std::stringstream text;
@@ -165,7 +166,7 @@ TEST(Layout, FoldersIncludeInNoCircle) {
 
 TEST(Layout, TheReadmeOfEachFloorSaysWhatLivesInEveryFolder) {
   std::map<std::string, std::string> readmes;
-  for (const std::string floor : {"platform", "ir", "engine", "analysis", "frontend"}) {
+  for (const std::string floor : {"ir", "engine", "analysis", "frontend"}) {
     std::stringstream text;
     text << std::ifstream(fs::path(RUNGPROOF_SOURCE_DIR) / floor / "README.md").rdbuf();
     readmes[floor] = text.str();
@@ -183,7 +184,7 @@ TEST(Layout, TheReadmeOfEachFloorSaysWhatLivesInEveryFolder) {
 TEST(Layout, TopLevelHoldsNothingElse) {
   const std::set<std::string> known = {
       "CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "analysis", "corpus",
-      "engine",         "frontend",          "ir",      "platform",  "tests",    "build"};
+      "engine",         "frontend",          "ir",      "tests",     "build"};
   for (const auto& entry : fs::directory_iterator(RUNGPROOF_SOURCE_DIR)) {
     const std::string name = entry.path().filename().string();
     EXPECT_TRUE(name.starts_with(".") || known.contains(name)) << name;
@@ -211,10 +212,10 @@ TEST(Layout, OnlyThePlatformKnowsTheSystem) {
   std::size_t knowing = 0;
   for (const Source& source : sources()) {
     const bool isKnown = std::regex_search(source.text, asked);
-    if (source.folder.starts_with("platform/"))
+    if (source.folder.starts_with("engine/platform/"))
       knowing += isKnown ? 1 : 0;
     else
-      EXPECT_FALSE(isKnown) << source.path << " asks for the system; platform/ has an interface for each need";
+      EXPECT_FALSE(isKnown) << source.path << " asks for the system; engine/platform/ has an interface for each need";
   }
   EXPECT_GT(knowing, 10u) << "the search no longer finds the implementations";
 }

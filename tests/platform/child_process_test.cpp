@@ -1,5 +1,5 @@
 // Work in a process of its own: its result, its end, its limit, an interrupt.
-#include "platform/child_process.hpp"
+#include "engine/platform/child_process.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

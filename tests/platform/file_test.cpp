@@ -1,5 +1,5 @@
 // Files, folders of one user, changes of files.
-#include "platform/file.hpp"
+#include "engine/platform/file.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -10,9 +10,9 @@
 #include <cerrno>
 #include <fstream>
 
-#include "platform/folder_watch.hpp"
-#include "platform/private_folder.hpp"
-#include "platform/waitable.hpp"
+#include "engine/platform/folder_watch.hpp"
+#include "engine/platform/private_folder.hpp"
+#include "engine/platform/waitable.hpp"
 
 namespace rungproof {
 namespace {

@@ -1,5 +1,5 @@
 // A copy of this process by fork(), and the pipe from it.
-#include "platform/child_process.hpp"
+#include "engine/platform/child_process.hpp"
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -10,7 +10,7 @@
 #include <array>
 #include <csignal>
 
-#include "platform/posix/held_signals.hpp"
+#include "engine/platform/posix/held_signals.hpp"
 
 namespace rungproof {
 

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "platform/waitable.hpp"
+#include "engine/platform/waitable.hpp"
 
 namespace rungproof {
 

@@ -1,5 +1,5 @@
 // Signals.
-#include "platform/interrupt.hpp"
+#include "engine/platform/interrupt.hpp"
 
 #include <csignal>
 

@@ -1,5 +1,5 @@
 // POSIX calls.
-#include "platform/file.hpp"
+#include "engine/platform/file.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>

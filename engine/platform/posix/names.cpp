@@ -1,5 +1,5 @@
 // Names are bytes, as the C library reads patterns; the identity of the executable stands in a note of ELF.
-#include "platform/names.hpp"
+#include "engine/platform/names.hpp"
 
 #include <elf.h>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // /proc and sysconf().
-#include "platform/memory.hpp"
+#include "engine/platform/memory.hpp"
 
 #include <malloc.h>
 #include <unistd.h>

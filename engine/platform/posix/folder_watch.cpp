@@ -1,5 +1,5 @@
 // inotify on folders, and signals as a file.
-#include "platform/folder_watch.hpp"
+#include "engine/platform/folder_watch.hpp"
 
 #include <sys/inotify.h>
 #include <sys/signalfd.h>
@@ -11,7 +11,7 @@
 #include <map>
 #include <optional>
 
-#include "platform/posix/held_signals.hpp"
+#include "engine/platform/posix/held_signals.hpp"
 
 namespace rungproof {
 

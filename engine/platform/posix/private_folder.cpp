@@ -1,5 +1,5 @@
 // Folders with the mode 0700.
-#include "platform/private_folder.hpp"
+#include "engine/platform/private_folder.hpp"
 
 #include <stdlib.h>
 #include <sys/random.h>
@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstdlib>
 
-#include "platform/file.hpp"
+#include "engine/platform/file.hpp"
 
 namespace rungproof {
 

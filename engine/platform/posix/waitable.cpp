@@ -1,5 +1,5 @@
 // Descriptors and poll().
-#include "platform/waitable.hpp"
+#include "engine/platform/waitable.hpp"
 
 #include <poll.h>
 #include <unistd.h>

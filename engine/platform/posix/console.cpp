@@ -1,5 +1,5 @@
 // Streams are as the shell gives them; a small stack is made larger.
-#include "platform/console.hpp"
+#include "engine/platform/console.hpp"
 
 #include <pthread.h>
 #include <sys/resource.h>

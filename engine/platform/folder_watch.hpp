@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "platform/waitable.hpp"
+#include "engine/platform/waitable.hpp"
 
 namespace rungproof {
 
