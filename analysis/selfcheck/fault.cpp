@@ -365,7 +365,7 @@ Program planted(const Program& program, const Fault& fault) {
     Instruction& instruction = pou.networks[fault.network].instructions[fault.instruction];
     instruction.desc = fault.desc;
     instruction.operands = fault.operands;
-    if (fault.kind == FaultKind::Preset && isIec(program.target)) letClocksRun(changed);
+    if (expressionRole(instruction) == ExpressionRole::Constant && !isOfTruth(instruction)) letClocksRun(changed);
   }
   return changed;
 }
