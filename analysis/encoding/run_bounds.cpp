@@ -110,7 +110,7 @@ class RunBounds::Search {
     prove(ofOne, {});
     leaveOutImplied(ofTwo, ofOne);
     prove(ofTwo, ofOne);
-    leaveOutWeakerOfTwo(ofTwo);
+    leaveOutWeakerOfTwo(ofTwo, ofOne);
     ofOne.insert(ofOne.end(), ofTwo.begin(), ofTwo.end());
     return ofOne;
   }
@@ -120,7 +120,7 @@ class RunBounds::Search {
   std::vector<Bound> proposedForTwo() const;
   void weed(std::vector<Bound>& ofOne, std::vector<Bound>& ofTwo);
   static void leaveOutWeaker(std::vector<Bound>& bounds);
-  static void leaveOutWeakerOfTwo(std::vector<Bound>& bounds);
+  static void leaveOutWeakerOfTwo(std::vector<Bound>& bounds, const std::vector<Bound>& ofOne);
   void leaveOutImplied(std::vector<Bound>& ofTwo, const std::vector<Bound>& ofOne) const;
   void prove(std::vector<Bound>& bounds, const std::vector<Bound>& given);
 
@@ -258,8 +258,9 @@ void RunBounds::Search::leaveOutImplied(std::vector<Bound>& ofTwo, const std::ve
   });
 }
 
-/// Of two cells; what a stronger bound of the same two says already.
-void RunBounds::Search::leaveOutWeakerOfTwo(std::vector<Bound>& bounds) {
+/// Of two cells; what a stronger bound of the same two says already. Without a carry a sum stays so where one of its
+/// parts never rises.
+void RunBounds::Search::leaveOutWeakerOfTwo(std::vector<Bound>& bounds, const std::vector<Bound>& ofOne) {
   using enum Kind;
   const std::vector<Bound> given = bounds;
   const auto has = [&](const Bound& of, std::initializer_list<Kind> kinds) {
@@ -267,8 +268,13 @@ void RunBounds::Search::leaveOutWeakerOfTwo(std::vector<Bound>& bounds) {
       return b.place == of.place && b.other == of.other && std::ranges::find(kinds, b.kind) != kinds.end();
     });
   };
+  const auto neverRises = [&](const Place& place) {
+    return std::ranges::any_of(
+        ofOne, [&](const Bound& b) { return b.kind == AtMost && b.place == place && b.constants.empty(); });
+  };
   std::erase_if(bounds, [&](const Bound& b) {
     switch (b.kind) {
+      case Parts: return has(b, {Sum}) && (neverRises(b.place) || neverRises(b.other));
       case NotAbove:
       case Below: return has(b, {Behind});
       case SignedNotAbove:

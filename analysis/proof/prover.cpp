@@ -7,8 +7,6 @@
 #include <iterator>
 #include <numeric>
 #include <set>
-#include <string>
-#include <unordered_map>
 
 #include "analysis/asking/asked_goals.hpp"
 #include "analysis/proof/proof_networks.hpp"
@@ -358,17 +356,12 @@ class Session {
     return read;
   }
 
-  /// The first goal of that name; their number: none has it.
-  std::size_t goalNamed(const std::string& name) {
-    if (goalsByName_.empty()) {
-      for (std::size_t i = 0; i < goals().size(); ++i) goalsByName_.try_emplace(goals()[i].name, i);
-    }
-    const auto found = goalsByName_.find(name);
-    return found == goalsByName_.end() ? goals().size() : found->second;
-  }
   /// A property whose premise can never be met, or assumptions that no run meets, prove nothing.
   void checkVacuity(ProofResult& row) {
     if (row.builtin) return;
+    const auto goalNamed = [&](const std::string& name) {
+      return static_cast<std::size_t>(std::ranges::find(goals(), name, &Property::name) - goals().begin());
+    };
     const std::size_t some = goalNamed(someRun().name), premise = goalNamed(row.property.name + " (premise)");
     if (some < goals().size() && search_.quick(some).answer == Answer::Proved) {
       row.outcome = Outcome::Vacuous;
@@ -399,7 +392,6 @@ class Session {
   const ProverOptions& options_;
   const Clock::time_point begin_ = Clock::now();
   QuestionSearch search_;
-  std::unordered_map<std::string, std::size_t> goalsByName_;
   std::unique_ptr<Facts> facts_;
   std::unique_ptr<QuestionSystem> open_;  ///< the program under all readings, those of fixed choices too
   std::optional<bool> hasAnyValues_;

@@ -19,9 +19,12 @@ ProgramInput ethernetInput(const std::string& properties, const std::string& net
 }
 
 /// The verdicts by name, of properties that are one line each.
-std::map<std::string, Outcome> requestOutcomes(const std::string& properties, const std::string& networks) {
+std::map<std::string, Outcome> requestOutcomes(const std::string& properties, const std::string& networks,
+                                               const char* again = nullptr) {
   const ProgramInput input = ethernetInput(properties, networks);
-  const ProofRun run = prove(input.program, input.properties, usualOptions());
+  ProverOptions options = usualOptions();
+  if (again != nullptr) EXPECT_TRUE(options.choices.set("network-again", again));
+  const ProofRun run = prove(input.program, input.properties, options);
   EXPECT_TRUE(run.disagreements.empty()) << networks;
   std::map<std::string, Outcome> outcomes;
   for (const ProofResult& result : run.results) outcomes[result.property.name] = result.outcome;
@@ -59,19 +62,23 @@ TEST(EthernetRequest, TheStatusFollowsTheRequest) {
         "//@ reach active: VB780 = 16#40\n//@ reach done: VB780 = 16#80\n//@ reach error: V780.5\n"
         "//@ reach again: VB0 = 3\n//@ prove code: VB780 <> 16#26 and VB780 <> 16#20\n//@ prove zero: not V780.4\n"
         "//@ prove both: not (V780.6 and V780.7)\n//@ prove asked: VB780 <> 0 implies once(I0.1)\n"
-        "//@ prove stays: prev(V780.7) and not rises(I0.1) implies V780.7\n//@ prove sure: not rises(I0.1) or V780.6\n",
+        "//@ prove sure: not rises(I0.1) or V780.6\n",
         requestOf(request, 3));
     for (const char* name : {"active", "done", "error", "again"})
       EXPECT_EQ(verdicts.at(name), Outcome::Reachable) << request << name;
-    for (const char* name : {"code", "zero", "both", "asked", "stays"})
+    for (const char* name : {"code", "zero", "both", "asked"})
       EXPECT_EQ(verdicts.at(name), Outcome::Proved) << request << name;
     EXPECT_EQ(verdicts.at("sure"), Outcome::Violated) << request << ": it may be refused at once";
+    // Not where a request for a table that is active is queued: the second one ends later.
+    const std::string stays = "//@ prove stays: prev(V780.7) and not rises(I0.1) implies V780.7\n";
+    EXPECT_EQ(requestOutcomes(stays, requestOf(request, 3), "ignored").at("stays"), Outcome::Proved) << request;
   }
 }
 
 // PUT reads its own data; a table with a length of 0, or beyond 222, or without a pointer, moves nothing.
 TEST(EthernetRequest, WhatIsNeverWritten) {
-  EXPECT_EQ(requestOutcomes("//@ prove kept: VB200 = 0\n", requestOf("PUT VB780", 3)).at("kept"), Outcome::Proved);
+  EXPECT_EQ(requestOutcomes("//@ prove kept: VB200 = 0\n", requestOf("PUT VB780", 3)).at("kept"), Outcome::Vacuous)
+      << "nothing writes it";
   for (const int length : {0, 223, 255})
     EXPECT_EQ(requestOutcomes("//@ prove kept: VB200 = 0\n", requestOf("GET VB780", length)).at("kept"),
               Outcome::Proved)

@@ -115,17 +115,14 @@ TEST(GivenColumns, WitnessesOfAnS7300AreRepeated) {
   }
 }
 
-// A scan that ends in STOP: properties see the image as the program left it, `sim` shows outputs that are off.
+// A scan that ends in STOP: properties see the image as the program left it, `sim` shows outputs that are off. Of an
+// S7-300/400 nothing is asked of such a scan.
 TEST(GivenColumns, RunsThatEndInStopAreRepeated) {
   const test::TemporaryFolder folder;
-  const std::string step7 =
-      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nA I 0.1;\n= Q 0.0;\nA I 0.0;\nJCN go;\nCALL SFC 46;\ngo: NOP 0;\n"
-      "END_ORGANIZATION_BLOCK\n";
   const std::pair<std::string, std::vector<std::string>> programs[] = {
       {"LD I0.0\nSTOP\nLD I0.1\n= Q0.0\n", {"--choice", "stop-in-main=end-of-scan"}},
       {"LD I0.1\n= Q0.0\nLD I0.0\nSTOP\n", {"--choice", "stop-in-main=at-once"}},
-      {"LD SM0.1\nATCH 0, 0\nENI\nLD I0.1\n= Q0.0\nMEND\nINT 0\nLD SM0.0\nSTOP\nRETI\n", {}},
-      {step7, {"--dialect", "s7-300"}}};
+      {"LD SM0.1\nATCH 0, 0\nENI\nLD I0.1\n= Q0.0\nMEND\nINT 0\nLD SM0.0\nSTOP\nRETI\n", {}}};
   for (const auto& [text, options] : programs) {
     SCOPED_TRACE(text);
     const std::string program = folder.file("stops.awl", "//@ prove p: not (I0.0 and Q0.0)\n" + text);
