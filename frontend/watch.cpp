@@ -6,14 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <iostream>
 #include <optional>
+#include <ostream>
 #include <set>
 
-#include "engine/platform/folder_watch.hpp"
-#include "engine/platform/names.hpp"
-#include "frontend/cli/standard_streams.hpp"
-#include "frontend/files/disk_file.hpp"
 #include "frontend/files/file_reader.hpp"
 
 namespace rungproof {
@@ -23,28 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int quietMs = 50;  ///< editors write in several steps: so long nothing may happen before the next run
-
-/// The parts of a text, of which each ends with a mark.
-std::vector<std::string> partsOf(const std::string& text, char mark) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(mark, begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
-
-/// The child's part: it gives the names of what it has read. `request`: its arguments.
-int runWatched(const std::string& request, const GiveBytes& give) {
-  const int exit = runProgram(partsOf(request, '\0'), standardStreams());
-  std::cout.flush();
-  std::cerr.flush();
-  std::string names;
-  for (const std::string& name : inputNames()) names += name + '\n';
-  give(names);
-  return exit;
-}
 
 class Watcher {
  public:
@@ -78,9 +52,8 @@ class Watcher {
     if (runs_.clears) out_ << "\x1B[2J\x1B[H";
     out_.flush();
     err_.flush();
-    std::string request, names;
-    for (const std::string& argument : runs_.arguments) request += argument + '\0';
-    ChildProcess child(watchedRunWorker, request, ChildKind::Run);
+    std::string names;
+    ChildProcess child(*runs_.worker, runs_.request, ChildKind::Run);
     if (!child.hasBegun()) return;
     const std::array<const Waitable*, 2> waited = {&child.output(), &interrupts_};
     while (true) {
@@ -89,7 +62,11 @@ class Watcher {
       if (ready[0] && child.output().take(names) == ByteSource::Taken::End) break;
     }
     if (const std::optional<int> exit = child.wait()) exit_ = *exit;
-    for (const std::string& name : partsOf(names, '\n')) add(name);
+    for (std::size_t begin = 0; begin < names.size();) {
+      const std::size_t end = names.find('\n', begin);
+      add(names.substr(begin, end - begin));
+      begin = end + 1;
+    }
   }
 
   int takeInterrupt() {
@@ -130,8 +107,6 @@ class Watcher {
 };
 
 }  // namespace
-
-constinit const Worker watchedRunWorker = {"run", runWatched};
 
 int watchRuns(const WatchedRuns& runs, std::ostream& out, std::ostream& err) { return Watcher(runs, out, err).watch(); }
 

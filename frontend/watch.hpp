@@ -17,13 +17,12 @@ inline constexpr std::string_view watchHelp =
     "run again whenever a file that was read changes, until Ctrl-C; the exit code is that of the last run";
 
 struct WatchedRuns {
-  std::vector<std::string> arguments;  ///< of the program, for one run
-  std::vector<std::string> given{};    ///< files and folders of the command line, which may not exist yet
-  bool clears = false;                 ///< a terminal is cleared before each run
+  const Worker* worker;              ///< does one run and gives the name of each file that it has read, on a line
+  std::string request{};             ///< what it is to do
+  std::vector<std::string> given{};  ///< files and folders of the command line, which may not exist yet
+  bool clears = false;               ///< a terminal is cleared before each run
 };
 /// The exit code of the last run that came to its end.
 int watchRuns(const WatchedRuns& runs, std::ostream& out, std::ostream& err);
-/// One of the runs, on the streams of this process.
-extern const Worker watchedRunWorker;
 
 }  // namespace rungproof

@@ -13,6 +13,7 @@
 
 #include "engine/platform/names.hpp"
 #include "frontend/cli/argument_parser.hpp"
+#include "frontend/cli/watched_run.hpp"
 #include "frontend/files/closest_word.hpp"
 #include "frontend/files/disk_file.hpp"
 #include "frontend/input/program_input.hpp"
@@ -352,9 +353,7 @@ int runArguments(const std::vector<std::string>& arguments, const Streams& strea
   rest.erase(watch);
   if (std::ranges::find(rest, "-") != rest.end())
     return failed(streams.err, {"standard input cannot be watched", {}, "give the name of a file"});
-  WatchedRuns runs;
-  runs.arguments = {std::string(command->name)};
-  runs.arguments.insert(runs.arguments.end(), rest.begin(), rest.end());
+  WatchedRuns runs{&watchedRunWorker, watchedRunRequest(command->name, rest, streams)};
   runs.clears = streams.outIsTerminal;
   std::ranges::copy_if(rest, std::back_inserter(runs.given),
                        [](const std::string& argument) { return !argument.starts_with("-"); });

@@ -2,12 +2,18 @@
 #include <array>
 #include <iostream>
 
-#include "analysis/recheck/z3_check.hpp"
 #include "engine/platform/console.hpp"
-#include "frontend/assistant/tool.hpp"
 #include "frontend/cli/standard_streams.hpp"
-#include "frontend/editor/proof.hpp"
-#include "frontend/watch.hpp"
+#include "frontend/cli/watched_run.hpp"
+
+namespace rungproof {
+
+// Of rooms that stand above this one: main() alone knows all of them.
+extern const Worker formulaWorker;  // analysis/recheck/z3_check.hpp
+extern const Worker commandWorker;  // frontend/editor/proof.hpp
+extern const Worker toolWorker;     // frontend/assistant/tool.hpp
+
+}  // namespace rungproof
 
 namespace {
 
