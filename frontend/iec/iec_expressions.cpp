@@ -285,6 +285,7 @@ const Type* Lowering::value(Scope& scope, const Expr& expr, const Type* wanted) 
 }
 
 void Lowering::valueAs(Scope& scope, const Expr& expr, const Type& wanted) {
+  if (widenInBothWidths(scope, expr, wanted)) return;
   const Type* type = value(scope, expr, &wanted);
   convertImplicitly(*type, wanted, expr.span);
 }
@@ -395,9 +396,11 @@ const Type* Lowering::binary(Scope& scope, const Expr& expr, const Type* wanted)
     logicWithFaults(scope, expr);
     return type;
   }
-  valueAs(scope, left, *type);
-  valueAs(scope, right, *type);
-  operate(expr.text, *type, expr.span);
+  if (!operateInBothWidths(scope, expr, *type, isCompare)) {
+    valueAs(scope, left, *type);
+    valueAs(scope, right, *type);
+    operate(expr.text, *type, expr.span);
+  }
   return isCompare ? &booleanType() : type;
 }
 

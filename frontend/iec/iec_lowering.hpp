@@ -113,6 +113,12 @@ class Lowering {
   std::optional<Operands> writtenBy(Scope& scope, const Statement& one);
   std::optional<Operands> placesOf(Scope& scope, const Expr& target);
   static bool calls(const Expr& expr);
+  // iec_intermediate.cpp
+  bool mayNeedMoreBits(Scope& scope, const Expr& expr);
+  bool canBeRepeated(Scope& scope, const Expr& expr);
+  void valueInCsWidth(Scope& scope, const Expr& expr);
+  bool operateInBothWidths(Scope& scope, const Expr& expr, const Type& type, bool isCompare);
+  bool widenInBothWidths(Scope& scope, const Expr& expr, const Type& wanted);
   void freshLocals(Scope& scope);
   void findEdges(const BlockInstance& instance);
   void chooseMachine();
@@ -162,6 +168,8 @@ class Lowering {
   void caseOf(Scope& scope, const Statement& statement);
   void caseLabel(const CaseLabel& label, const Type& type, std::uint32_t selector);
   void forLoop(Scope& scope, const Statement& statement);
+  std::optional<std::uint32_t> keptBound(Scope& scope, const Statement& loop, const Expr* bound, const Type& type);
+  void latchPreset(BlockInstance& timer, const Type& type);
   void callStatement(Scope& scope, const Expr& call);
   void callAction(Scope& scope, const ActionSyntax& action, Span span);
   void callInstance(Scope& scope, BlockInstance& instance, const Expr& call);
@@ -308,6 +316,7 @@ class Lowering {
   int depth_ = 0;
   const Expr* enabledCall_ = nullptr;  ///< a call whose EN was asked already
   bool asksEnabled_ = false;           ///< some path ends in .ENO
+  bool writesBothWidths_ = false;      ///< an operation is being written out under both readings of a choice
   Network* network_ = nullptr;
   Span span_;                            ///< of the statement at hand
   std::vector<std::uint8_t> isWritten_;  ///< by byte

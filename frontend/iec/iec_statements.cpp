@@ -83,6 +83,12 @@ int Lowering::labelNamed(Scope& scope, const Expr& name) {
   return at->second;
 }
 
+namespace {
+bool isTimer(const BlockInstance& instance) {
+  return instance.block->isLibrary && instance.names.contains("STATE") && instance.names.contains("PT");
+}
+}  // namespace
+
 void Lowering::assign(Scope& scope, const Statement& s) {
   if (s.target->kind != ExprKind::Path) refuse(s.target->span, "this is no variable");
   const Reference target = reference(scope, *s.target);
@@ -103,6 +109,9 @@ void Lowering::assign(Scope& scope, const Statement& s) {
   if (const Argument* enable = enableOf(*s.value)) return assignWhereEnabled(scope, target, *s.value, *enable);
   prepareWrite(scope, target);
   valueAs(scope, *s.value, target.valueType());
+  if (target.owner != nullptr && isTimer(*target.owner) && scope.self != target.owner && target.declared != nullptr &&
+      foldedName(target.declared->name) == "PT" && !target.owner->longestPreset)
+    latchPreset(*target.owner, target.valueType());
   writeReference(scope, target);
 }
 
@@ -183,25 +192,61 @@ void Lowering::caseLabel(const CaseLabel& one, const Type& type, std::uint32_t s
 }
 
 /// Limit and step are looked at in each pass.
+/// Where what a limit or a step of FOR gives before the first pass is kept, if the body may change it; nothing: it is
+/// the same in each pass.
+std::optional<std::uint32_t> Lowering::keptBound(Scope& scope, const Statement& loop, const Expr* bound,
+                                                 const Type& type) {
+  if (bound == nullptr || types_.constant(*bound)) return std::nullopt;
+  std::set<std::string> names;
+  const auto collect = [&](const auto& self, const Expr& expr) -> void {
+    if (!expr.parts.empty()) names.insert(foldedName(expr.parts[0].name));
+    for (const ExprPtr& inner : expr.operands) self(self, *inner);
+  };
+  collect(collect, *bound);
+  const auto changes = [&](const auto& self, const Statements& body) -> bool {
+    return std::ranges::any_of(body, [&](const Statement& s) {
+      const bool isTarget =
+          s.target != nullptr && !s.target->parts.empty() && names.contains(foldedName(s.target->parts[0].name));
+      const bool mayReach =
+          s.kind == StatementKind::Call || s.kind == StatementKind::Line || (s.value != nullptr && calls(*s.value));
+      return isTarget || mayReach || self(self, s.otherwise) ||
+             std::ranges::any_of(s.branches, [&](const Branch& branch) { return self(self, branch.body); });
+    });
+  };
+  if (!calls(*bound) && !changes(changes, loop.otherwise)) return std::nullopt;
+  const std::uint32_t kept = allocate(static_cast<std::uint32_t>(type.width / 8));
+  valueAs(scope, *bound, type);
+  store(type, kept);
+  return kept;
+}
+
 void Lowering::forLoop(Scope& scope, const Statement& s) {
   const Reference counter = reference(scope, *s.target);
   if (counter.type->kind != Kind::Integer || !counter.indices.empty() || counter.bit || counter.constant)
     refuse(s.target->span, "FOR counts in a variable of whole numbers");
   const Type& type = *counter.type;
-  const auto compare = [&](const char* op) {
-    load(type, counter.offset);
-    valueAs(scope, *s.last, type);
-    emit(op, {type.width, type.isSigned ? 1 : 0});
-  };
   const int test = newLabel(), next = newLabel(), end = newLabel();
   valueAs(scope, *s.value, type);
   store(type, counter.offset);
+  const auto limit = keptBound(scope, s, s.last.get(), type), step = keptBound(scope, s, s.by.get(), type);
+  const auto bound = [&](const Expr& expr, const std::optional<std::uint32_t>& kept) {
+    if (kept) emit("READING", {static_cast<std::int64_t>(Choice::IecForBounds), 1});
+    valueAs(scope, expr, type);
+    if (!kept) return;
+    load(type, *kept);
+    emit("SEL", {type.width});
+  };
+  const auto compare = [&](const char* op) {
+    load(type, counter.offset);
+    bound(*s.last, limit);
+    emit(op, {type.width, type.isSigned ? 1 : 0});
+  };
   label(test);
-  const auto step = s.by != nullptr ? types_.integer(*s.by) : std::optional<std::int64_t>(1);
-  if (step) {
-    compare(*step > 0 ? "LE" : "GE");
+  const auto known = s.by != nullptr ? types_.integer(*s.by) : std::optional<std::int64_t>(1);
+  if (known) {
+    compare(*known > 0 ? "LE" : "GE");
   } else {
-    valueAs(scope, *s.by, type);
+    bound(*s.by, step);
     constant(0, type.width);
     emit("GT", {type.width, type.isSigned ? 1 : 0});
     compare("GE");
@@ -215,7 +260,7 @@ void Lowering::forLoop(Scope& scope, const Statement& s) {
   label(next);
   load(type, counter.offset);
   if (s.by != nullptr) {
-    valueAs(scope, *s.by, type);
+    bound(*s.by, step);
   } else {
     constant(1, type.width);
   }
@@ -223,6 +268,25 @@ void Lowering::forLoop(Scope& scope, const Statement& s) {
   store(type, counter.offset);
   jump(test);
   label(end);
+}
+
+/// On the stack is a new PT: a timer that runs keeps its own by the reading `latched`.
+void Lowering::latchPreset(BlockInstance& timer, const Type& type) {
+  const auto state = timer.names.find("STATE"), preset = timer.names.find("PT");
+  emit("READING", {static_cast<std::int64_t>(Choice::IecTimerPreset), 1});
+  load(*state->second.type, state->second.offset);
+  constant(1, state->second.type->width);
+  emit("EQ", {state->second.type->width, 0});
+  emit("AND", {1});
+  // SEL takes the condition from below both values.
+  const std::uint32_t isKept = allocate(1);
+  store(*elementaryType("BOOL"), isKept);
+  const std::uint32_t given = allocate(static_cast<std::uint32_t>(type.width / 8));
+  store(type, given);
+  load(*elementaryType("BOOL"), isKept);
+  load(type, given);
+  load(type, preset->second.offset);
+  emit("SEL", {type.width});
 }
 
 void Lowering::callStatement(Scope& scope, const Expr& call) {
@@ -412,6 +476,8 @@ void Lowering::bindInputs(Scope& scope, BlockInstance& instance, const Expr& cal
     } else {
       valueAs(scope, *argument.value, *variable.type);
     }
+    if (isPreset && foldedName(formal->name) == "PT" && !instance.longestPreset && isTimer(instance))
+      latchPreset(instance, *variable.type);
     store(*variable.type, instance.placeFromOutside(foldedName(formal->name)));
   }
   for (const VariableSyntax* input : inputs) {

@@ -33,7 +33,10 @@ inline constexpr ChosenValue compiledByMatiec[] = {{"iec-div-zero", "fault"},
                                                    {"iec-sfc-order", "transitions-first"},
                                                    {"iec-sfc-initial-edge", "no"},
                                                    {"iec-sfc-final-scan", "no"},
-                                                   {"iec-sfc-action-order", "declaration"}};
+                                                   {"iec-sfc-action-order", "declaration"},
+                                                   {"iec-intermediate", "wide"},
+                                                   {"iec-timer-preset", "live"},
+                                                   {"iec-for-bounds", "each-pass"}};
 inline constexpr ChosenValue codesys[] = {{"iec-div-zero", "fault"},
                                           {"iec-mod-zero", "fault"},
                                           {"iec-counter-limit", "preset"},
@@ -44,7 +47,8 @@ inline constexpr ChosenValue codesys[] = {{"iec-div-zero", "fault"},
                                           {"iec-sfc-order", "actions-first"},
                                           {"iec-sfc-initial-edge", "yes"},
                                           {"iec-sfc-final-scan", "yes"},
-                                          {"iec-sfc-action-order", "alphabetical"}};
+                                          {"iec-sfc-action-order", "alphabetical"},
+                                          {"iec-for-bounds", "each-pass"}};
 }  // namespace bundle
 
 inline constexpr std::array<ChoiceBundle, 3> choiceBundles = {{{"iec", "openplc", bundle::compiledByMatiec},

@@ -76,6 +76,9 @@ enum class Choice : std::uint8_t {
   IecSfcInitialEdge,
   IecSfcFinalScan,
   IecSfcActionOrder,
+  IecIntermediate,
+  IecTimerPreset,
+  IecForBounds,
   count
 };
 
@@ -425,6 +428,22 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      "iec-sfc-action-order",
      {"declaration", "alphabetical", ""},
      "IEC 61131-3: in which order the actions of a chart run in a scan: as they are declared, or by their names",
+     "IEC 61131-3"},
+    {Choice::IecIntermediate,
+     "iec-intermediate",
+     {"declared", "wide", ""},
+     "IEC 61131-3: in how many bits sums and products of SINT, INT, USINT and UINT are computed before they are "
+     "compared, divided or widened: in those of their type, or in 32",
+     "IEC 61131-3"},
+    {Choice::IecTimerPreset,
+     "iec-timer-preset",
+     {"live", "latched", ""},
+     "IEC 61131-3: whether a timer that runs looks at PT in each call, or keeps the PT of its start",
+     "IEC 61131-3"},
+    {Choice::IecForBounds,
+     "iec-for-bounds",
+     {"each-pass", "once", ""},
+     "IEC 61131-3: whether FOR looks at its limit and its step in each pass, or before the first",
      "IEC 61131-3"},
 }};
 
