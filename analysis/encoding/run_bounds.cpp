@@ -17,9 +17,11 @@ constexpr std::size_t mostConstantsTried = 12;
 constexpr std::size_t mostPairsTried = 80;
 /// Z3 looks at no clock while it takes conditions in, and that of one SCAT took it minutes.
 constexpr std::size_t mostNodesTried = 20'000;
-constexpr int samples = 300;                            ///< random states that weed out bounds
-constexpr unsigned proofLimit = 400;                    ///< ms of one proof
-constexpr std::chrono::milliseconds searchLimit{3000};  ///< for all proofs
+constexpr int samples = 300;  ///< random states that weed out bounds
+/// Of one proof, as Z3 counts its work: what is found must not depend on what else the machine does.
+constexpr unsigned proofSteps = 3'000'000;
+constexpr unsigned proofLimit = 2000;                    ///< ms of one proof, on a busy machine
+constexpr std::chrono::milliseconds searchLimit{10000};  ///< for all proofs, likewise
 
 /// What devices write beside the routines is bound to nothing.
 bool isOfDevices(const Place& place) { return place.isRegister || place.area == Area::SM; }
@@ -314,8 +316,9 @@ void RunBounds::Search::prove(std::vector<Bound>& bounds, const std::vector<Boun
     }
     conditions.push_back(isBroken.node);
     std::vector<std::uint64_t> values;
-    const std::optional<bool> broken =
-        graph_.truth(isBroken) == false ? false : satisfiable(graph_, conditions, proofLimit, kept, &values);
+    const std::optional<bool> broken = graph_.truth(isBroken) == false
+                                           ? false
+                                           : satisfiable(graph_, conditions, proofLimit, kept, &values, proofSteps);
     if (broken == false) return;
     if (!broken || std::chrono::steady_clock::now() >= end_) return bounds.clear();
     std::set<std::size_t> refuted;

@@ -128,13 +128,14 @@ z3::expr Z3Terms::term(Node node) { return impl_->term(node); }
 z3::expr Z3Terms::truth(Node node) { return impl_->term(node) == impl_->c.bv_val(1, 1); }
 
 std::optional<bool> satisfiable(const Graph& graph, std::span<const Node> conditions, unsigned milliseconds,
-                                std::span<const Node> wanted, std::vector<std::uint64_t>* witness) {
+                                std::span<const Node> wanted, std::vector<std::uint64_t>* witness, unsigned steps) {
   try {
     z3::context context;
     Z3Terms terms(context, graph);
     z3::solver solver(context);
     z3::params parameters(context);
     parameters.set("timeout", milliseconds);
+    if (steps != 0) parameters.set("rlimit", steps);
     solver.set(parameters);
     for (const Node condition : conditions) solver.add(terms.truth(condition));
     switch (solver.check()) {

@@ -39,9 +39,11 @@ class Z3Terms {
 };
 
 /// Whether values of the variables exist for which all `conditions` (width 1) are 1, within `milliseconds`. Unknown:
-/// nothing. `witness`, if given, receives the values of `wanted` nodes, in their order.
+/// nothing. `witness`, if given, receives the values of `wanted` nodes, in their order. `steps`: as Z3 counts its work,
+/// which is the same on every machine; 0: any number.
 std::optional<bool> satisfiable(const Graph& graph, std::span<const Node> conditions, unsigned milliseconds,
-                                std::span<const Node> wanted = {}, std::vector<std::uint64_t>* witness = nullptr);
+                                std::span<const Node> wanted = {}, std::vector<std::uint64_t>* witness = nullptr,
+                                unsigned steps = 0);
 
 /// The same question as SMT-LIB 2 text, for another solver.
 std::string smtLibText(const Graph& graph, std::span<const Node> conditions);
