@@ -10,6 +10,8 @@
 #include <ostream>
 #include <set>
 
+#include "engine/platform/folder_watch.hpp"
+#include "engine/platform/names.hpp"
 #include "frontend/files/file_reader.hpp"
 
 namespace rungproof {

@@ -11,6 +11,7 @@
 
 #include "analysis/recheck/rup_checker.hpp"
 #include "analysis/schedule/schedule.hpp"
+#include "engine/platform/memory_stream.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
@@ -30,28 +31,6 @@ class RefutationEnd final : public CaDiCaL::Terminator {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point end_;
   const std::atomic<bool>* cancel_;
-};
-
-/// What a solver writes, in memory.
-class Trace {
- public:
-  Trace() : file_(open_memstream(&text_, &size_)) { CHECK(file_ != nullptr, "a stream in memory opens"); }
-  ~Trace() {
-    std::fclose(file_);
-    std::free(text_);
-  }
-  Trace(const Trace&) = delete;
-  Trace& operator=(const Trace&) = delete;
-  std::FILE* file() const { return file_; }
-  std::span<const unsigned char> bytes() const {
-    std::fflush(file_);
-    return {reinterpret_cast<const unsigned char*>(text_), size_};
-  }
-
- private:
-  char* text_ = nullptr;
-  std::size_t size_ = 0;
-  std::FILE* file_;
 };
 
 /// Follows the trace; false where a step does not hold, or the time is over.
@@ -96,7 +75,7 @@ CheckResult refute(const GateClauses::Clauses& clauses, const RefutationLimits& 
   if (checker.isRefuted()) return CheckResult::Valid;
   RefutationEnd end(limits);
   if (end.terminate()) return CheckResult::Unknown;
-  const Trace trace;
+  const MemoryStream trace;  // what the solver writes
   CaDiCaL::Solver solver;
   solver.set("quiet", 1);
   solver.set("lucky", 0);
