@@ -108,7 +108,12 @@ ExitReason exitReasonOf(const Report& report) {
   add(std::ranges::any_of(report.findings, isReadError), Exit::Failed, "not everything could be read");
   add(!report.defects.empty(), Exit::Failed, "rungproof disagrees with itself");
   for (const ExitReason& reason : report.reasons) add(true, reason.exit, reason.text);
-  add(summary.violated > 0, Exit::Found, "a property does not hold");
+  const auto all = [&](Outcome verdict) {
+    return static_cast<std::size_t>(std::ranges::count(report.properties, verdict, &PropertyResult::verdict));
+  };
+  const std::size_t vacuous = all(Outcome::Vacuous);
+  add(summary.violated > vacuous, Exit::Found, "a property does not hold");
+  add(vacuous > 0, Exit::Found, "the condition of a property never occurs");
   addTestReasons(report, add);
   add(differs, Exit::Found,
       report.comparison && report.comparison->isOfPrograms() ? "outputs differ" : "traces differ");

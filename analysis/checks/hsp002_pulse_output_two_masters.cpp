@@ -5,25 +5,12 @@
 #include <array>
 
 #include "analysis/flow/facts.hpp"
+#include "analysis/flow/pulse_generator.hpp"
 #include "analysis/rule.hpp"
-#include "ir/s7200/pulse_output.hpp"
 
 namespace rungproof {
 
 namespace {
-
-/// Output of PLS or of a PTO/PWM block of the wizard, -1 if the instruction is none.
-int pulseOutput(const Instruction& instruction) {
-  if (instruction.operands.empty()) return -1;
-  const Operand& o = instruction.operands[0];
-  if (roleOf(instruction) == Role::Pls && o.kind == OperandKind::Constant && o.value >= 0 &&
-      o.value < static_cast<std::int64_t>(pulseOutputCount))
-    return static_cast<int>(o.value);
-  const bool isWizard = instruction.desc->control == Control::Call && o.kind == OperandKind::Symbol &&
-                        o.text.size() > 4 && (o.text.starts_with("PTO") || o.text.starts_with("PWM")) &&
-                        o.text[3] >= '0' && o.text[3] < '0' + static_cast<int>(pulseOutputCount);
-  return isWizard ? o.text[3] - '0' : -1;
-}
 
 bool clears(const Instruction& instruction) {
   if (isReset(roleOf(instruction))) return true;
@@ -33,11 +20,9 @@ bool clears(const Instruction& instruction) {
 
 void checkHsp002(const Facts& facts, FindingSink& sink) {
   std::array<const Instruction*, pulseOutputCount> generator{};
-  const auto mayPulse = [](const Desc& desc) { return desc.role == Role::Pls || desc.control == Control::Call; };
   for (const InstructionPlace& place : facts.placesOf(mayPulse)) {
-    const int output = pulseOutput(*place.instruction);
-    if (output >= 0 && generator[static_cast<std::size_t>(output)] == nullptr)
-      generator[static_cast<std::size_t>(output)] = place.instruction;
+    const auto output = pulseOutputOf(*place.instruction);
+    if (output && generator[*output] == nullptr) generator[*output] = place.instruction;
   }
   const std::uint32_t cell = facts.index().cells().cell(Area::Q, 0, 0);
   for (std::uint32_t output = 0; output < pulseOutputCount; ++output) {

@@ -8,6 +8,7 @@
 
 #include "analysis/asking/asking.hpp"
 #include "analysis/flow/facts.hpp"
+#include "analysis/flow/pulse_generator.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -87,6 +88,21 @@ bool endsItself(const Facts& facts, const InstructionPlace& place) {
   return false;
 }
 
+/// Whether the same network has just cleared bit 7 of the control byte: this PLS ends the train (001:4528).
+bool endsTrain(const Facts& facts, const InstructionPlace& place) {
+  const auto output = pulseOutputOf(*place.instruction);
+  if (!output || roleOf(*place.instruction) != Role::Pls) return false;
+  const Flow& flow = facts.plan().flows[place.block];
+  for (std::uint32_t i = place.step; i > 0 && flow.steps[i - 1].network == place.network; --i) {
+    const Instruction& before = *flow.steps[i - 1].instruction;
+    if (before.operands.size() != 2 || !isMoveOf(*before.desc, Type::Byte)) continue;
+    const Operand &value = before.operands[0], &target = before.operands[1];
+    if (target.kind == OperandKind::Direct && target.area == Area::SM && target.offset == pulseControl(*output))
+      return value.kind == OperandKind::Constant && (value.value & 0x80) == 0;
+  }
+  return false;
+}
+
 void checkHsp004(const Facts& facts, FindingSink& sink) {
   const auto mayBeOnce = [](const Desc& desc) { return isMeantOnce(desc.role) || maySave(desc); };
   for (const InstructionPlace& place : facts.placesOf(mayBeOnce)) {
@@ -96,7 +112,7 @@ void checkHsp004(const Facts& facts, FindingSink& sink) {
     const Condition known = facts.conditionOf(instruction.id);
     if ((known & (condition::Pulse | condition::FirstScan | condition::Never)) != 0) continue;
     if (facts.calls().reachedFromInterrupt(place.block) && !facts.calls().reachedFromMain(place.block)) continue;
-    if (endsItself(facts, place) || facts.hasUnreadCode()) continue;
+    if (endsItself(facts, place) || endsTrain(facts, place) || facts.hasUnreadCode()) continue;
     const bool isAlways = (facts.stack().at(instruction.id).flow & condition::Always) != 0 &&
                           !facts.execution().at(instruction.id).isSkipped &&
                           facts.execution().runs(place.block) == Runs::Once;

@@ -8,6 +8,7 @@
 
 #include "analysis/flow/bit_ranges.hpp"
 #include "analysis/flow/facts.hpp"
+#include "analysis/flow/pulse_generator.hpp"
 #include "analysis/flow/step7_blocks.hpp"
 #include "analysis/rule.hpp"
 
@@ -54,6 +55,12 @@ std::vector<LatchHands> allHands(const Facts& facts) {
       else
         hands.other = true;
     }
+  }
+  // A pulse generator drives its output; the networks only clear its image bit (001:4539).
+  for (const InstructionPlace& place : facts.placesOf(mayPulse)) {
+    const auto output = pulseOutputOf(*place.instruction);
+    const std::uint32_t key = output ? 8 * facts.index().cells().cell(Area::Q, 0, 0) + pulseOutputs[*output].point : 0;
+    if (output && key < all.size()) all[key].other = true;
   }
   return all;
 }

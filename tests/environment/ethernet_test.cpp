@@ -23,7 +23,9 @@ std::map<std::string, Outcome> requestOutcomes(const std::string& properties, co
                                                const char* again = nullptr) {
   const ProgramInput input = ethernetInput(properties, networks);
   ProverOptions options = usualOptions();
-  if (again != nullptr) EXPECT_TRUE(options.choices.set("network-again", again));
+  if (again != nullptr) {
+    EXPECT_TRUE(options.choices.set("network-again", again));
+  }
   const ProofRun run = prove(input.program, input.properties, options);
   EXPECT_TRUE(run.disagreements.empty()) << networks;
   std::map<std::string, Outcome> outcomes;

@@ -54,6 +54,10 @@ TEST(DeviceRules, GuardsOfOneScan) {
   EXPECT_EQ(lines("HSP004", "Network 1\nLD M0.0\nATT VW0, VW100\nR M0.0, 1\n"), Lines());  // resets its own request
   EXPECT_EQ(lines("HSP004", "Network 1\nLD SM0.0\nAN V200.6\nAN V200.5\nNETR VB200, 0\n"), Lines());  // 000:1400
   EXPECT_EQ(lines("HSP004", "Network 1\nLD I0.0\nS SM31.7, 1\n"), Lines{3});
+  // Bit 7 of the control byte enables the train: without it PLS ends one, and may do so again and again.
+  EXPECT_EQ(lines("HSP004", "Network 1\nLD I0.0\nMOVB 16#05, SMB67\nPLS 0\n"), Lines());
+  EXPECT_EQ(lines("HSP004", "Network 1\nLD I0.0\nMOVB 16#85, SMB67\nPLS 0\n"), Lines{4});
+  EXPECT_EQ(lines("HSP004", "Network 1\nLD I0.0\nMOVB 16#05, SMB77\nPLS 0\n"), Lines{4});
   EXPECT_EQ(lines("HSP001", "Network 1\nLD SM0.1\nHDEF 0, 0\nHSC 0\nNetwork 2\nLD I0.0\nHDEF 0, 3\n"), Lines{7});
 }
 

@@ -23,6 +23,9 @@ TEST(OutputRules, FirstScanResetIsNoConflict) {
 
 TEST(OutputRules, LatchesMayBeClearedByBytes) {
   EXPECT_EQ(lines("OUT004", "Network 1\nLD I0.0\nS M0.0, 1\nNetwork 2\nLD I0.1\nMOVB 0, MB0\n"), Lines());
+  // PLS drives Q0.0, whose image bit is only cleared; nobody drives Q0.1.
+  EXPECT_EQ(lines("OUT004", "Network 1\nLD SM0.1\nR Q0.0, 1\nMOVB 16#85, SMB67\nPLS 0\n"), Lines());
+  EXPECT_EQ(lines("OUT004", "Network 1\nLD SM0.1\nR Q0.1, 1\nMOVB 16#85, SMB67\nPLS 0\n"), Lines{3});
   EXPECT_EQ(lines("OUT004", "Network 1\nLD I0.0\nS Q0.0, 2\nNetwork 2\nLD I0.1\nR Q0.0, 1\n"),
             Lines{3});  // Q0.1 stays on
 }

@@ -16,11 +16,11 @@ constexpr const char* runVariable = "RUNGPROOF_TIMING_RUN";
 /// The failed tests as a filter, empty if all passed.
 std::string failedTests() {
   std::string filter;
-  const testing::UnitTest& all = *testing::UnitTest::GetInstance();
+  const ::testing::UnitTest& all = *::testing::UnitTest::GetInstance();
   for (int s = 0; s < all.total_test_suite_count(); ++s) {
-    const testing::TestSuite& suite = *all.GetTestSuite(s);
+    const ::testing::TestSuite& suite = *all.GetTestSuite(s);
     for (int t = 0; t < suite.total_test_count(); ++t) {
-      const testing::TestInfo& test = *suite.GetTestInfo(t);
+      const ::testing::TestInfo& test = *suite.GetTestInfo(t);
       if (!test.result()->Failed()) continue;
       filter += (filter.empty() ? "" : ":") + std::string(suite.name()) + "." + test.name();
     }
@@ -31,7 +31,7 @@ std::string failedTests() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
+  ::testing::InitGoogleTest(&argc, argv);
   const int outcome = RUN_ALL_TESTS();
   const std::string failed = failedTests();
   const char* run = std::getenv(runVariable);

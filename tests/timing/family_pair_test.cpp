@@ -97,7 +97,7 @@ Cost costOf(const std::string& name, IsEnough&& isEnough) {
   return cost;
 }
 
-class FamilyPair : public testing::TestWithParam<Pair> {};
+class FamilyPair : public ::testing::TestWithParam<Pair> {};
 
 TEST_P(FamilyPair, CostsAtMostSoManyTimesItsTwin) {
   const double most = GetParam().most;
@@ -120,7 +120,7 @@ TEST(FamilyPairs, InSum) {
   EXPECT_LE(sum.now, mostInSum * sum.before);
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, FamilyPair, testing::ValuesIn(pairs),
+INSTANTIATE_TEST_SUITE_P(Corpus, FamilyPair, ::testing::ValuesIn(pairs),
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

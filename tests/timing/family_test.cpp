@@ -14,7 +14,7 @@ void expectProved(const std::string& program, std::size_t properties, double lim
   const MeasuredProof measured = measureProof(program, options, 12, limit);
   EXPECT_EQ(measured.verdicts.size(), properties);
   for (const auto& [name, verdict] : measured.verdicts) EXPECT_EQ(verdict, "PROVED") << name;
-  testing::Test::RecordProperty("seconds", std::to_string(measured.cpuSeconds));
+  ::testing::Test::RecordProperty("seconds", std::to_string(measured.cpuSeconds));
   std::printf("%.3f s of %.3f s\n", measured.cpuSeconds, limit);
   EXPECT_LE(measured.cpuSeconds, limit);
 }

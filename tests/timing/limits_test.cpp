@@ -214,7 +214,7 @@ TEST(Limits, CancellationKeepsWhatIsSettled) {
 
 TEST(Limits, ControlCEndsTheSelfCheckWithAReport) {
   // Each fault in the multiplication is looked at until its time is over.
-  const std::string file = testing::TempDir() + "rungproof_self_check.awl";
+  const std::string file = ::testing::TempDir() + "rungproof_self_check.awl";
   std::ofstream(file) << "ORGANIZATION_BLOCK MAIN:OB1\n"
                       << hardProperties << easyProperty << "BEGIN\n"
                       << hardNetworks << "Network 2\nLD I8.1\nA I8.2\nA I8.3\nA I8.4\nMOVD VD10, VD14\n*D ID4, VD14\n"
@@ -235,7 +235,7 @@ TEST(Limits, ControlCEndsTheSelfCheckWithAReport) {
 }
 
 TEST(Limits, ControlCPrintsWhatWasSettled) {
-  const std::string file = testing::TempDir() + "rungproof_interrupted.awl";
+  const std::string file = ::testing::TempDir() + "rungproof_interrupted.awl";
   std::ofstream(file) << "ORGANIZATION_BLOCK MAIN:OB1\n"
                       << hardProperties << easyProperty << "BEGIN\n"
                       << hardNetworks << "END_ORGANIZATION_BLOCK\n";

@@ -28,7 +28,7 @@ double cpuSeconds() {
 MeasuredProof measureProof(const std::string& program, const std::vector<std::string>& options, int runs,
                            double enough) {
   MeasuredProof result;
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "measured_proof.awl";
+  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "measured_proof.awl";
   std::ofstream(file) << program;
   for (int run = 0; run < runs && (run == 0 || result.cpuSeconds > enough); ++run) {
     std::vector<std::string> arguments{"prove", file.string(), "--isolated", "--format", "json", "--timeout", "30s"};

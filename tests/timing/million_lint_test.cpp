@@ -25,7 +25,7 @@ struct Shape {
 
 std::ostream& operator<<(std::ostream& out, const Shape& shape) { return out << shape.name; }
 
-class MillionInstructions : public testing::TestWithParam<Shape> {};
+class MillionInstructions : public ::testing::TestWithParam<Shape> {};
 
 TEST_P(MillionInstructions, AreLintedInSeconds) {
   const Shape& shape = GetParam();
@@ -47,9 +47,9 @@ TEST_P(MillionInstructions, AreLintedInSeconds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Lint, MillionInstructions,
-                         testing::Values(Shape{"rungs", [] { return longProgram(1'000'000); }, 2.5, 260},
-                                         Shape{"stations", [] { return stationProgram(695); }, 2.5, 280},
-                                         Shape{"findings", [] { return tenInstructions(100'000); }, 2.5, 280}),
+                         ::testing::Values(Shape{"rungs", [] { return longProgram(1'000'000); }, 2.5, 260},
+                                           Shape{"stations", [] { return stationProgram(695); }, 2.5, 280},
+                                           Shape{"findings", [] { return tenInstructions(100'000); }, 2.5, 280}),
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

@@ -36,13 +36,13 @@ ObligationFamily familyNamed(std::string_view name) {
   return {};
 }
 
-class Obligations : public testing::TestWithParam<ObligationFamily> {};
+class Obligations : public ::testing::TestWithParam<ObligationFamily> {};
 
 TEST_P(Obligations, AreDecidedWithinTheLimit) {
   for (const double seconds : secondsOf(GetParam(), 3)) EXPECT_LE(seconds, mostForOne);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Obligations, testing::ValuesIn(families::obligationFamilies()), [](const auto& info) {
+INSTANTIATE_TEST_SUITE_P(All, Obligations, ::testing::ValuesIn(families::obligationFamilies()), [](const auto& info) {
   std::string name(info.param.name);
   std::ranges::replace(name, ' ', '_');
   return name;

@@ -40,8 +40,9 @@ void expectIndependent(std::string (*program)(int, bool), bool proof) {
                       large = measureProof(program(30000, proof), {}, 5);
   for (const MeasuredProof* m : {&small, &middle, &large})
     EXPECT_EQ(m->verdicts.at("late"), proof ? "PROVED" : "REACHABLE");
-  testing::Test::RecordProperty("seconds", std::to_string(small.cpuSeconds) + " " + std::to_string(middle.cpuSeconds) +
-                                               " " + std::to_string(large.cpuSeconds));
+  ::testing::Test::RecordProperty("seconds", std::to_string(small.cpuSeconds) + " " +
+                                                 std::to_string(middle.cpuSeconds) + " " +
+                                                 std::to_string(large.cpuSeconds));
   std::printf("%.3f %.3f %.3f s\n", small.cpuSeconds, middle.cpuSeconds, large.cpuSeconds);
   EXPECT_LE(middle.cpuSeconds, mostGrowth * small.cpuSeconds + allowance);
   EXPECT_LE(large.cpuSeconds, mostGrowth * small.cpuSeconds + allowance) << small.cpuSeconds << " s with preset 50";

@@ -120,7 +120,7 @@ constexpr WordProgram wordPrograms[] = {
     {"AxisTravel", "travel: VD0 >= 0 and VD0 <= 250000", axis},
 };
 
-class WordPrograms : public testing::TestWithParam<WordProgram> {};
+class WordPrograms : public ::testing::TestWithParam<WordProgram> {};
 
 TEST_P(WordPrograms, DecidedWithinTheLimit) {
   const WordProgram& given = GetParam();
@@ -133,7 +133,7 @@ TEST_P(WordPrograms, DecidedWithinTheLimit) {
   EXPECT_LE(measured.cpuSeconds, mostForWords);
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, WordPrograms, testing::ValuesIn(wordPrograms),
+INSTANTIATE_TEST_SUITE_P(Programs, WordPrograms, ::testing::ValuesIn(wordPrograms),
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
