@@ -145,6 +145,7 @@ Node DeviceWrites::ends(int event) const {
 // ---- Bytes -----------------------------------------------------------------------------------------------
 
 Node DeviceWrites::isEntry(std::uint32_t entry, std::uint32_t address) {
+  if (address == 0) return number(0, 1);  // an entry without a request; a pointer to IB0 gives none
   return graph_.make(Op::Equal, 1, reg(Reg::NetTable, entry), number(address, 32));
 }
 
@@ -292,6 +293,7 @@ void DeviceWrites::networkWrites(Area area, std::uint32_t byte, std::vector<Byte
 /// The own data of GET, as long and from where the request has found it.
 void DeviceWrites::answerWrites(Area area, std::uint32_t byte, std::vector<ByteWrite>& list) {
   for (const auto& [address, instruction] : buffers_) {
+    if (address == 0) continue;
     Node guard = number(0, 1);
     for (std::uint32_t entry = 0; entry < networkRequests(target_); ++entry) {
       const Node buffer = reg(Reg::NetBuffer, entry), own = number(address, 32);

@@ -19,9 +19,9 @@ constexpr std::size_t mostPairsTried = 80;
 constexpr std::size_t mostNodesTried = 20'000;
 constexpr int samples = 300;  ///< random states that weed out bounds
 /// Of one proof, as Z3 counts its work: what is found must not depend on what else the machine does.
-constexpr unsigned proofSteps = 3'000'000;
-constexpr unsigned proofLimit = 2000;                    ///< ms of one proof, on a busy machine
-constexpr std::chrono::milliseconds searchLimit{10000};  ///< for all proofs, likewise
+constexpr unsigned proofSteps = 1'000'000;
+constexpr unsigned proofLimit = 8000;                    ///< ms of one proof, on a busy machine
+constexpr std::chrono::milliseconds searchLimit{20000};  ///< for all proofs, likewise
 
 /// What devices write beside the routines is bound to nothing.
 bool isOfDevices(const Place& place) { return place.isRegister || place.area == Area::SM; }

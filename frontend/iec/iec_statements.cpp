@@ -84,7 +84,7 @@ int Lowering::labelNamed(Scope& scope, const Expr& name) {
 }
 
 namespace {
-bool isTimer(const BlockInstance& instance) {
+bool isStandardTimer(const BlockInstance& instance) {
   return instance.block->isLibrary && instance.names.contains("STATE") && instance.names.contains("PT");
 }
 }  // namespace
@@ -109,8 +109,8 @@ void Lowering::assign(Scope& scope, const Statement& s) {
   if (const Argument* enable = enableOf(*s.value)) return assignWhereEnabled(scope, target, *s.value, *enable);
   prepareWrite(scope, target);
   valueAs(scope, *s.value, target.valueType());
-  if (target.owner != nullptr && isTimer(*target.owner) && scope.self != target.owner && target.declared != nullptr &&
-      foldedName(target.declared->name) == "PT" && !target.owner->longestPreset)
+  if (target.owner != nullptr && isStandardTimer(*target.owner) && scope.self != target.owner &&
+      target.declared != nullptr && foldedName(target.declared->name) == "PT" && !target.owner->longestPreset)
     latchPreset(*target.owner, target.valueType());
   writeReference(scope, target);
 }
@@ -476,7 +476,7 @@ void Lowering::bindInputs(Scope& scope, BlockInstance& instance, const Expr& cal
     } else {
       valueAs(scope, *argument.value, *variable.type);
     }
-    if (isPreset && foldedName(formal->name) == "PT" && !instance.longestPreset && isTimer(instance))
+    if (isPreset && foldedName(formal->name) == "PT" && !instance.longestPreset && isStandardTimer(instance))
       latchPreset(instance, *variable.type);
     store(*variable.type, instance.placeFromOutside(foldedName(formal->name)));
   }

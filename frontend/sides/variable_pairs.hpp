@@ -1,7 +1,7 @@
 // Which variables of IEC 61131-3 programs stand for each other: those of one name, wherever they lie. In a program of
 // another family it is the symbol of that name, or the address at which the variable is declared. Outputs of programs
 // and located outputs are what is compared.
-// Tested by tests/iec/equivalence_test.cpp and tests/iec/other_families_test.cpp.
+// Tested by tests/iec/equivalence_test.cpp.
 #pragma once
 
 #include <vector>

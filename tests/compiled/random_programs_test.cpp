@@ -56,22 +56,22 @@ void compareAll(const GeneratorOptions& options, int count, int leastShare, cons
 }
 
 TEST(RandomPrograms, StraightOnesAgree) {
-  compareAll({.rungs = 8, .jumps = false, .loops = false, .subroutines = false}, programCount(400), 20);
+  compareAll({.rungs = 8, .jumps = false, .loops = false, .subroutines = false}, programCount(200), 20);
 }
 TEST(RandomPrograms, WithJumpsAgree) {
-  compareAll({.rungs = 8, .jumps = true, .loops = false, .subroutines = false}, programCount(300), 20);
+  compareAll({.rungs = 8, .jumps = true, .loops = false, .subroutines = false}, programCount(150), 20);
 }
 TEST(RandomPrograms, WithLoopsAgree) {
-  compareAll({.rungs = 8, .jumps = true, .loops = true, .subroutines = false}, programCount(300), 20);
+  compareAll({.rungs = 8, .jumps = true, .loops = true, .subroutines = false}, programCount(150), 20);
 }
-TEST(RandomPrograms, WithCallsAgree) { compareAll({.rungs = 6}, programCount(300), 20); }
-TEST(RandomPrograms, WithPointersAgree) { compareAll({.rungs = 6, .pointers = true}, programCount(300), 20); }
-TEST(RandomPrograms, WithInterruptsAgree) { compareAll({.rungs = 6, .interrupts = true}, programCount(300), 10); }
+TEST(RandomPrograms, WithCallsAgree) { compareAll({.rungs = 6}, programCount(150), 20); }
+TEST(RandomPrograms, WithPointersAgree) { compareAll({.rungs = 6, .pointers = true}, programCount(150), 20); }
+TEST(RandomPrograms, WithInterruptsAgree) { compareAll({.rungs = 6, .interrupts = true}, programCount(150), 10); }
 TEST(RandomPrograms, UnderScriptsThatNameNoPlaceAgree) {
-  compareAll({.rungs = 6, .pointers = true}, programCount(300), 20, {.isScripted = true});
+  compareAll({.rungs = 6, .pointers = true}, programCount(150), 20, {.isScripted = true});
 }
 TEST(RandomPrograms, WithInterruptsUnderSuchScriptsAgree) {
-  compareAll({.rungs = 6, .interrupts = true}, programCount(300), 5, {.isScripted = true});
+  compareAll({.rungs = 6, .interrupts = true}, programCount(150), 5, {.isScripted = true});
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ TEST(ScanAgreement, PlainPrograms) {
   runAll({.rungs = 8, .jumps = false, .loops = false, .subroutines = false}, anyMemory(), 180, 60, 0);
 }
 
-TEST(ScanAgreement, ControlFlow) { runAll({.rungs = 7}, anyMemory(), 110, 60, 10000); }
+TEST(ScanAgreement, ControlFlow) { runAll({.rungs = 7}, anyMemory(), 60, 60, 10000); }
 
 TEST(ScanAgreement, FromPowerUp) { runAll({.rungs = 7}, {}, 60, 60, 20000); }
 
@@ -137,7 +137,7 @@ TEST(ScanAgreement, FixedScanTime) {
 }
 
 TEST(ScanAgreement, Interrupts) {
-  runAll({.rungs = 5, .loops = false, .subroutines = false, .interrupts = true}, anyMemory(), 40, 60, 40000);
+  runAll({.rungs = 5, .loops = false, .subroutines = false, .interrupts = true}, anyMemory(), 25, 60, 40000);
 }
 
 TEST(ScanAgreement, Pointers) {
@@ -155,7 +155,7 @@ TEST(ScanAgreement, SmartFromPowerUp) {
 }
 
 TEST(ScanAgreement, SmartInterrupts) {
-  runAll({.rungs = 5, .loops = false, .subroutines = false, .interrupts = true, .target = smartTarget}, anyMemory(), 30,
+  runAll({.rungs = 5, .loops = false, .subroutines = false, .interrupts = true, .target = smartTarget}, anyMemory(), 12,
          60, 92000);
 }
 

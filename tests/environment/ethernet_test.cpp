@@ -20,9 +20,9 @@ ProgramInput ethernetInput(const std::string& properties, const std::string& net
 
 /// The verdicts by name, of properties that are one line each.
 std::map<std::string, Outcome> requestOutcomes(const std::string& properties, const std::string& networks,
-                                               const char* again = nullptr) {
+                                               const char* again = nullptr, double timeout = 20) {
   const ProgramInput input = ethernetInput(properties, networks);
-  ProverOptions options = usualOptions();
+  ProverOptions options = usualOptions(timeout);
   if (again != nullptr) {
     EXPECT_TRUE(options.choices.set("network-again", again));
   }
@@ -117,7 +117,8 @@ TEST(EthernetRequest, WhereTheTablePoints) {
   EXPECT_EQ(verdicts.at("later"), Outcome::Proved);
   const auto unknown = requestOutcomes("//@ prove kept: VB400 = 0\n",
                                        "Network 1\nLD SM0.0\nMOVB 2, VB791\nMOVD &VB200, VD792\n+D ID0, VD792\n"
-                                       "Network 2\nLD I4.1\nEU\nGET VB780\n");
+                                       "Network 2\nLD I4.1\nEU\nGET VB780\n",
+                                       nullptr, 2);
   EXPECT_NE(unknown.at("kept"), Outcome::Proved);
 }
 
