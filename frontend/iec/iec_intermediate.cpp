@@ -9,14 +9,14 @@ namespace {
 
 bool isNarrowNumber(const Type* type) { return type != nullptr && type->kind == Kind::Integer && type->width < 32; }
 bool addsUp(const std::string& op) { return op == "+" || op == "-" || op == "*"; }
-bool isDivision(const std::string& op) { return op == "/" || op == "MOD"; }
+bool isQuotient(const std::string& op) { return op == "/" || op == "MOD"; }
 
 }  // namespace
 
 /// Whether a value on the way may need more bits than its type has.
 bool Lowering::mayNeedMoreBits(Scope& scope, const Expr& expr) {
   const bool isSum = expr.kind == ExprKind::Binary && addsUp(expr.text);
-  const bool isOperation = isSum || (expr.kind == ExprKind::Binary && isDivision(expr.text)) ||
+  const bool isOperation = isSum || (expr.kind == ExprKind::Binary && isQuotient(expr.text)) ||
                            (expr.kind == ExprKind::Unary && expr.text == "-");
   if (!isOperation || types_.constant(expr)) return false;
   if (isSum && isNarrowNumber(typeOf(scope, expr))) return true;
@@ -26,7 +26,7 @@ bool Lowering::mayNeedMoreBits(Scope& scope, const Expr& expr) {
 /// Whether it can be written out twice: nothing has an effect, and both copies divide by the same.
 bool Lowering::canBeRepeated(Scope& scope, const Expr& expr) {
   if (calls(expr)) return false;
-  if (expr.kind == ExprKind::Binary && isDivision(expr.text) && mayNeedMoreBits(scope, *expr.operands[1])) return false;
+  if (expr.kind == ExprKind::Binary && isQuotient(expr.text) && mayNeedMoreBits(scope, *expr.operands[1])) return false;
   return std::ranges::all_of(expr.operands, [&](const ExprPtr& inner) { return canBeRepeated(scope, *inner); });
 }
 
@@ -34,7 +34,7 @@ bool Lowering::canBeRepeated(Scope& scope, const Expr& expr) {
 void Lowering::valueInCsWidth(Scope& scope, const Expr& expr) {
   const Type& wide = *elementaryType("DINT");
   const bool isNarrow = expr.kind != ExprKind::Literal && !types_.constant(expr) && isNarrowNumber(typeOf(scope, expr));
-  if (isNarrow && expr.kind == ExprKind::Binary && (addsUp(expr.text) || isDivision(expr.text))) {
+  if (isNarrow && expr.kind == ExprKind::Binary && (addsUp(expr.text) || isQuotient(expr.text))) {
     valueInCsWidth(scope, *expr.operands[0]);
     valueInCsWidth(scope, *expr.operands[1]);
     return operate(expr.text, wide, expr.span);
@@ -49,7 +49,7 @@ void Lowering::valueInCsWidth(Scope& scope, const Expr& expr) {
 /// Writes an operation out under both readings of `iec-intermediate`; false: they cannot differ, nothing is written.
 bool Lowering::operateInBothWidths(Scope& scope, const Expr& expr, const Type& type, bool isCompare) {
   const Expr &left = *expr.operands[0], &right = *expr.operands[1];
-  if (writesBothWidths_ || !isNarrowNumber(&type) || (!isCompare && !isDivision(expr.text))) return false;
+  if (writesBothWidths_ || !isNarrowNumber(&type) || (!isCompare && !isQuotient(expr.text))) return false;
   if (!mayNeedMoreBits(scope, left) && !mayNeedMoreBits(scope, right)) return false;
   if (!canBeRepeated(scope, expr)) return false;
   writesBothWidths_ = true;
