@@ -115,8 +115,7 @@ class Lowering {
   static bool calls(const Expr& expr);
   // iec_intermediate.cpp
   bool mayNeedMoreBits(Scope& scope, const Expr& expr);
-  bool canBeRepeated(Scope& scope, const Expr& expr);
-  void valueInCsWidth(Scope& scope, const Expr& expr);
+  void valueInBothWidths(Scope& scope, const Expr& expr);
   bool operateInBothWidths(Scope& scope, const Expr& expr, const Type& type, bool isCompare);
   bool widenInBothWidths(Scope& scope, const Expr& expr, const Type& wanted);
   void freshLocals(Scope& scope);
@@ -316,7 +315,6 @@ class Lowering {
   int depth_ = 0;
   const Expr* enabledCall_ = nullptr;  ///< a call whose EN was asked already
   bool asksEnabled_ = false;           ///< some path ends in .ENO
-  bool writesBothWidths_ = false;      ///< an operation is being written out under both readings of a choice
   Network* network_ = nullptr;
   Span span_;                            ///< of the statement at hand
   std::vector<std::uint8_t> isWritten_;  ///< by byte

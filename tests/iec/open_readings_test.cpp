@@ -47,6 +47,34 @@ TEST(IecReadings, ASumMayBeWidenedBeforeOrBehind) {
                  "VIOLATED  p", "VIOLATED  p", "PROVED  p");
 }
 
+// 16384 + 16384 is -32768 as INT: a divisor that is 0 by neither reading, and 32767 + 32767 + 2 is 0 as INT alone.
+TEST(IecReadings, ADivisorMayBeASum) {
+  const std::string text =
+      "PROGRAM P\nVAR a AT %IW1 : INT; y : INT; END_VAR\nIF a = 16384 THEN y := a / (a + a); END_IF;\nEND_PROGRAM\n";
+  expectVerdicts("//@ prove p: y = 0\n" + text, "iec-intermediate", "declared", "wide", "PROVED  p", "PROVED  p",
+                 "PROVED  p");
+  const std::string zero =
+      "//@ prove p: b <> 32767\nPROGRAM P\nVAR b AT %IW1 : INT; y : INT; END_VAR\ny := 1 / (b + b + 2);\nEND_PROGRAM\n";
+  EXPECT_TRUE(
+      proofOfIec(zero, {"--choice", "iec-div-zero=fault", "--choice", "iec-intermediate=declared"}).has("PROVED  p"));
+  EXPECT_TRUE(
+      proofOfIec(zero, {"--choice", "iec-div-zero=fault", "--choice", "iec-intermediate=wide"}).has("VIOLATED  p"));
+  EXPECT_TRUE(proofOfIec(zero, {"--choice", "iec-div-zero=fault"}).has("VIOLATED  p"));
+}
+
+// A call is made once by each reading; an error in one statement changes nothing of the next.
+TEST(IecReadings, ASumMayHoldCalls) {
+  const std::string text =
+      "FUNCTION Same : INT\nVAR_INPUT x : INT; END_VAR\nSame := x;\nEND_FUNCTION\n"
+      "PROGRAM P\nVAR i AT %IW1 : INT; q AT %QX0.0 : BOOL; END_VAR\nq := (Same(i) + 1) > 0;\nEND_PROGRAM\n";
+  expectVerdicts("//@ prove p: i = 32767 implies not q\n" + text, "iec-intermediate", "declared", "wide", "VIOLATED  p",
+                 "PROVED  p", "VIOLATED  p");
+  const IecOutput behindAnError = proofOfIec(
+      "//@ prove p: i = 32767 implies not q\nPROGRAM P\nVAR i AT %IW1 : INT; r, q : BOOL; END_VAR\n"
+      "r := (i + 1) > (i + nowhere);\nq := (i + 1) > 0;\nEND_PROGRAM\n");
+  EXPECT_FALSE(behindAnError.has("PROVED  p")) << behindAnError.text;
+}
+
 // The low 16 bits are the same by both readings: no choice is asked for.
 TEST(IecReadings, AVariableOfItsTypeTakesTheLowBits) {
   const IecOutput output = proofOfIec(
