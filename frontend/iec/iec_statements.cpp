@@ -155,7 +155,8 @@ void Lowering::branches(Scope& scope, const Statement& s) {
 
 /// The selector is computed once; the first label that fits wins.
 void Lowering::caseOf(Scope& scope, const Statement& s) {
-  const Type* type = value(scope, *s.value, nullptr);
+  const Type* type = elementaryType("DINT");
+  if (!widenInBothWidths(scope, *s.value, *type)) type = value(scope, *s.value, nullptr);
   if (!type->isNumber())
     refuse(s.value->span, fmt::format("CASE needs a whole number or an enumeration, not {}", type->name));
   const std::uint32_t selector = allocate(type->bytes);
@@ -191,7 +192,6 @@ void Lowering::caseLabel(const CaseLabel& one, const Type& type, std::uint32_t s
   emit("AND", {1});
 }
 
-/// Limit and step are looked at in each pass.
 /// Where what a limit or a step of FOR gives before the first pass is kept, if the body may change it; nothing: it is
 /// the same in each pass.
 std::optional<std::uint32_t> Lowering::keptBound(Scope& scope, const Statement& loop, const Expr* bound,
@@ -228,25 +228,28 @@ void Lowering::forLoop(Scope& scope, const Statement& s) {
   const int test = newLabel(), next = newLabel(), end = newLabel();
   valueAs(scope, *s.value, type);
   store(type, counter.offset);
-  const auto limit = keptBound(scope, s, s.last.get(), type), step = keptBound(scope, s, s.by.get(), type);
-  const auto bound = [&](const Expr& expr, const std::optional<std::uint32_t>& kept) {
+  // A limit that is a sum is compared in more bits by one reading.
+  const Type& compared = type.width < 32 && mayNeedMoreBits(scope, *s.last) ? *elementaryType("DINT") : type;
+  const auto limit = keptBound(scope, s, s.last.get(), compared), step = keptBound(scope, s, s.by.get(), type);
+  const auto bound = [&](const Expr& expr, const Type& as, const std::optional<std::uint32_t>& kept) {
     if (kept) emit("READING", {static_cast<std::int64_t>(Choice::IecForBounds), 1});
-    valueAs(scope, expr, type);
+    valueAs(scope, expr, as);
     if (!kept) return;
-    load(type, *kept);
-    emit("SEL", {type.width});
+    load(as, *kept);
+    emit("SEL", {as.width});
   };
   const auto compare = [&](const char* op) {
     load(type, counter.offset);
-    bound(*s.last, limit);
-    emit(op, {type.width, type.isSigned ? 1 : 0});
+    convertImplicitly(type, compared, s.target->span);
+    bound(*s.last, compared, limit);
+    emit(op, {compared.width, compared.isSigned ? 1 : 0});
   };
   label(test);
   const auto known = s.by != nullptr ? types_.integer(*s.by) : std::optional<std::int64_t>(1);
   if (known) {
     compare(*known > 0 ? "LE" : "GE");
   } else {
-    bound(*s.by, step);
+    bound(*s.by, type, step);
     constant(0, type.width);
     emit("GT", {type.width, type.isSigned ? 1 : 0});
     compare("GE");
@@ -260,7 +263,7 @@ void Lowering::forLoop(Scope& scope, const Statement& s) {
   label(next);
   load(type, counter.offset);
   if (s.by != nullptr) {
-    bound(*s.by, step);
+    bound(*s.by, type, step);
   } else {
     constant(1, type.width);
   }

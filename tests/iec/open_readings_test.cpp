@@ -62,6 +62,22 @@ TEST(IecReadings, ADivisorMayBeASum) {
   EXPECT_TRUE(proofOfIec(zero, {"--choice", "iec-div-zero=fault"}).has("VIOLATED  p"));
 }
 
+// 32767 + 1 is -32768 or 32768, no label of the first and above each limit of the second.
+TEST(IecReadings, SelectorsAndLimitsMayBeSums) {
+  const std::string choice =
+      "PROGRAM P\nVAR i AT %IW1 : INT; n : INT; END_VAR\n"
+      "CASE i + 1 OF -32768: n := 1; ELSE n := 2; END_CASE;\nEND_PROGRAM\n";
+  expectVerdicts("//@ prove p: i = 32767 implies n = 1\n" + choice, "iec-intermediate", "declared", "wide",
+                 "VIOLATED  p", "PROVED  p", "VIOLATED  p");
+  const std::string loop =
+      "PROGRAM P\nVAR i AT %IW1 : INT; k, n : INT; END_VAR\nn := 0;\n"
+      "FOR k := 1 TO i + 1 DO n := n + 1; IF n = 3 THEN EXIT; END_IF; END_FOR;\nEND_PROGRAM\n";
+  expectVerdicts("//@ prove p: i = 32767 implies n = 0\n" + loop, "iec-intermediate", "declared", "wide", "VIOLATED  p",
+                 "PROVED  p", "VIOLATED  p");
+  expectVerdicts("//@ prove p: i = 32767 implies n = 3\n" + loop, "iec-intermediate", "declared", "wide", "VIOLATED  p",
+                 "VIOLATED  p", "PROVED  p");
+}
+
 // A call is made once by each reading; an error in one statement changes nothing of the next.
 TEST(IecReadings, ASumMayHoldCalls) {
   const std::string text =
