@@ -1,5 +1,6 @@
 // Statements: assignments, branches, loops, calls of function blocks.
 #include "frontend/iec/iec_lowering.hpp"
+#include "ir/iec/walk.hpp"
 
 namespace rungproof::iec {
 
@@ -86,6 +87,24 @@ int Lowering::labelNamed(Scope& scope, const Expr& name) {
 namespace {
 bool isStandardTimer(const BlockInstance& instance) {
   return instance.block->isLibrary && instance.names.contains("STATE") && instance.names.contains("PT");
+}
+
+/// Whether another call of the same instance in these statements gives another PT.
+bool givesOtherPreset(const Statements& body, const Expr& call, const Expr& preset) {
+  const auto isSameInstance = [&](const Expr& other) {
+    return std::ranges::equal(call.parts, other.parts, [](const PathPart& a, const PathPart& b) {
+      return foldedName(a.name) == foldedName(b.name);
+    });
+  };
+  return std::ranges::any_of(body, [&](const Statement& s) {
+    const bool isOther =
+        s.kind == StatementKind::Call && isSameInstance(*s.target) &&
+        std::ranges::any_of(s.target->arguments, [&](const Argument& given) {
+          return foldedName(given.name) == "PT" && given.value != nullptr && !isSame(*given.value, preset);
+        });
+    return isOther || givesOtherPreset(s.otherwise, call, preset) ||
+           std::ranges::any_of(s.branches, [&](const Branch& b) { return givesOtherPreset(b.body, call, preset); });
+  });
 }
 }  // namespace
 
@@ -479,7 +498,8 @@ void Lowering::bindInputs(Scope& scope, BlockInstance& instance, const Expr& cal
     } else {
       valueAs(scope, *argument.value, *variable.type);
     }
-    if (isPreset && foldedName(formal->name) == "PT" && !instance.longestPreset && isStandardTimer(instance))
+    if (isPreset && foldedName(formal->name) == "PT" && isStandardTimer(instance) &&
+        (!instance.longestPreset || givesOtherPreset(scope.self->block->body, call, *argument.value)))
       latchPreset(instance, *variable.type);
     store(*variable.type, instance.placeFromOutside(foldedName(formal->name)));
   }

@@ -115,6 +115,16 @@ TEST(IecReadings, ARunningTimerMayKeepItsPreset) {
   }
 }
 
+// Two calls with a constant each: whichever starts the timer, the other one changes PT while it runs, or does not.
+TEST(IecReadings, TwoCallsMayGiveTwoPresets) {
+  const std::string text =
+      "PROGRAM P\nVAR go AT %IX0.0 : BOOL; short AT %IX0.1 : BOOL; t : TON; END_VAR\n"
+      "IF short THEN t(IN := go, PT := T#10ms); ELSE t(IN := go, PT := T#1h); END_IF;\nEND_PROGRAM\n";
+  const std::string asked = "//@ prove p: held(go, 60ms) and short implies t.Q\n";
+  EXPECT_TRUE(proofOfIec(asked + text, {"--scan-time", "20ms"}).has("VIOLATED  p"));
+  EXPECT_TRUE(proofOfIec(asked + text, {"--scan-time", "20ms", "--choice", "iec-timer-preset=live"}).has("PROVED  p"));
+}
+
 // Three passes as the limit was, five as the body leaves it.
 TEST(IecReadings, ALimitOfForMayBeLookedAtOnce) {
   const auto text = [](const char* count) {
