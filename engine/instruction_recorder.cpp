@@ -104,6 +104,7 @@ void InstructionRecorder::finish(Running& running, const Machine<Concrete>& mach
   const Instruction& instruction = *running.instruction;
   InstructionRecord& record = records_[instruction.id];
   record.after = machine.stack;
+  record.result = machine.evaluation.empty() ? std::nullopt : std::optional<std::uint64_t>(machine.evaluation.back());
   record.eno = machine.store.get(Reg::Eno, 0) != 0;
   for (std::size_t i = 0; i < record.written.size(); ++i) {
     const Operand& operand = instruction.operands[i];

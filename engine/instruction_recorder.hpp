@@ -18,7 +18,8 @@ struct InstructionRecord {
   bool eno = false;                                   ///< behind the instruction
   std::vector<std::optional<std::uint64_t>> read;     ///< operand values in front of it, in the width of their type
   std::vector<std::optional<std::uint64_t>> written;  ///< the same behind it
-  bool elementBit = false;  ///< bit of the timer or counter that is the first operand, behind it
+  bool elementBit = false;              ///< bit of the timer or counter that is the first operand, behind it
+  std::optional<std::uint64_t> result;  ///< IEC 61131-3: top of the evaluation stack behind it
 
   /// Power as boxes and coils see it, at a level of the stack.
   bool powerFlow(std::size_t level = 0) const { return before[level] && scrActive; }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -37,20 +38,41 @@ enum class Shape : std::uint8_t {
 
 inline constexpr std::uint32_t noInstruction = 0xFFFFFFFF;
 
+/// What a box shows that no descriptor knows: a function or a function block of IEC 61131-3 with the pins drawn at it.
+struct BoxFace {
+  /// A pin with a text beside it.
+  struct Pin {
+    std::string name;
+    std::string text;
+    bool isConstant = false;
+    Span span{};                                ///< of the text
+    std::uint32_t instruction = noInstruction;  ///< as Element::instruction: it reads or writes the value
+  };
+  std::string name;
+  std::string instance;             ///< above the box; empty: a function
+  std::vector<std::string> inputs;  ///< of Element::inputs: names of their pins
+  std::vector<Pin> left, right;
+  std::string output;  ///< name of the pin that a wire leaves; empty: none does
+};
+
 struct Element {
   Shape shape = Shape::Rail;
   const Desc* desc = nullptr;
-  Operands operands;         ///< as in the instruction
-  std::vector<Wire> inputs;  ///< topmost first
-  Span span;                 ///< place in the source
+  Operands operands;                    ///< as in the instruction
+  std::vector<Wire> inputs;             ///< topmost first
+  Span span;                            ///< place in the source
   /// Position in Network::instructions of the instruction that is this element; of a gate, of the last that joins its
   /// inputs. noInstruction: a rail, or not lowered yet.
   std::uint32_t instruction = noInstruction;
+  std::shared_ptr<const BoxFace> face{};  ///< of a Box without desc
 };
 
 /// Elements in order of execution: an input refers to an earlier element only. One drawing is one network.
 struct Drawing {
   std::vector<Element> elements;
+  /// IEC 61131-3: elements name variables and parts of instances, and Element::instruction is where the value of the
+  /// element lies on the evaluation stack, of a Coil where it is stored.
+  bool isOfVariables = false;
 };
 
 }  // namespace rungproof

@@ -104,6 +104,10 @@ class Conversion {
 
 }  // namespace
 
-Drawing asFbd(const Drawing& ladder) { return Conversion(ladder).run(); }
+Drawing asFbd(const Drawing& ladder) {
+  Drawing made = Conversion(ladder).run();
+  made.isOfVariables = ladder.isOfVariables;
+  return made;
+}
 
 }  // namespace rungproof

@@ -30,7 +30,7 @@ namespace {
 
 struct Arguments {
   std::vector<std::string> files;
-  std::string form = "lad";
+  std::string form;  ///< empty: as it was drawn
   bool svg = false;
   bool ascii = false;
   bool noFindings = false;
@@ -239,12 +239,13 @@ class Show {
       return;
     }
     for (const Pou& pou : program.pous) {
-      if (!isWanted(pou) || step7::isLibraryBlock(program, pou)) continue;
+      if (!isWanted(pou) || step7::isLibraryBlock(program, pou) || isOfChart(pou)) continue;
       BlockView block{blockHeading(pou), {}};
       if (options.form == Form::Stl && pou.type != BlockType::None)
         block.declarations = step7::declarationLines(program, pou);
       for (const Network& network : pou.networks) {
         if (!isWanted(network) || isHidden(program, network)) continue;
+        if (arguments_.form.empty()) options.form = formAsRead(network);
         block.networks.push_back(networkView(program, pou, network, options));
         NetworkView& view = block.networks.back();
         if (!isIec(program.target) || view.statements.empty() || !view.statements[0].starts_with("[")) continue;
@@ -261,6 +262,10 @@ class Show {
              return equalsIgnoringCase(name, pou.name) ||
                     (pou.type != BlockType::None && equalsIgnoringCase(name, blockName(pou.number)));
            });
+  }
+  /// The machinery of a chart, which its picture tells: "MAIN.(transitions)".
+  static bool isOfChart(const Pou& pou) {
+    return pou.isInstance && (pou.name.ends_with(".(actions)") || pou.name.ends_with(".(transitions)"));
   }
   /// What a chart does and its text does not say.
   static bool isHidden(const Program& program, const Network& network) {
@@ -348,7 +353,8 @@ Action setup(ArgumentTable& table) {
   auto arguments = std::make_shared<Arguments>();
   table.arguments("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input");
   table.word("--as", arguments->form, {"lad", "ladder", "fbd", "stl", "awl"}, "lad|fbd|stl|awl",
-             "draw as ladder, function block diagram or statement list (lad); awl: a list in SIMATIC mnemonics");
+             "draw as ladder, function block diagram or statement list (as drawn; lists as lad); awl: a list in "
+             "SIMATIC mnemonics");
   table.flag("--svg", arguments->svg, "one SVG document instead of text");
   table.flag("--ascii", arguments->ascii, "text without box-drawing characters");
   table.list("--network", arguments->networks, "N", "only these networks, such as 3 or 2-5; may be repeated");

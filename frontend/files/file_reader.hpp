@@ -35,10 +35,6 @@ struct InputText {
   DrawnProject* drawn = nullptr;         ///< readers of drawings append here; built when all files are read
   step7::Step7Project* step7 = nullptr;  ///< readers of S7-300/400 sources append here, likewise
   iec::ProjectSyntax* iec = nullptr;     ///< readers of IEC 61131-3 texts append here, likewise
-  /// Readers of PLCopen drawings give the same there as programs of IEC 61131-3, with findings of its own: a drawing
-  /// that no S7-200 can have is read so.
-  iec::ProjectSyntax* drawnAsIec = nullptr;
-  Program* programAsIec = nullptr;  ///< shares the sources
   bool isStep7Project = false;           ///< the project has such sources
 };
 

@@ -226,6 +226,29 @@ bool DrawnCircuit::isResult(int i) const {
   }
 }
 
+std::size_t DrawnCircuit::below(const DrawnNote& note, const std::vector<int>& circuits) const {
+  std::vector<double> top(damaged_.size(), std::numeric_limits<double>::max());
+  bool hasPlaces = false;
+  for (int i = 0; i < count(); ++i) {
+    if (isRail(element(i))) continue;
+    double& height = top[static_cast<std::size_t>(circuitOf(i))];
+    height = std::min(height, element(i).y);
+    hasPlaces = hasPlaces || element(i).y != 0;
+  }
+  std::size_t chosen = circuits.size();
+  for (std::size_t k = 0; k < circuits.size(); ++k) {
+    if (circuits[k] == nothing) return 0;
+    if (hasPlaces) {
+      const double height = top[static_cast<std::size_t>(circuits[k])];
+      if (height >= note.y && (chosen == circuits.size() || height < top[static_cast<std::size_t>(circuits[chosen])]))
+        chosen = k;
+    } else if (note.before < network_.elements.size() && chosen == circuits.size()) {
+      if (circuits[k] == circuitOf(static_cast<int>(note.before))) chosen = k;
+    }
+  }
+  return chosen;
+}
+
 void DrawnCircuit::orderResults() {
   // A circuit is as high as its highest element; circuits of equal height keep the order of the file.
   constexpr double below = std::numeric_limits<double>::max();

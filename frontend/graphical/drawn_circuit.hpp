@@ -53,6 +53,9 @@ class DrawnCircuit {
   int circuitOf(int i) const { return circuit_[static_cast<std::size_t>(i)]; }
   /// Elements that produce results, in the order of execution.
   const std::vector<int>& results() const { return results_; }
+  /// Which of these circuits a comment belongs to: the first that reaches below it; without positions that of the next
+  /// element. circuits.size(): none.
+  std::size_t below(const DrawnNote& note, const std::vector<int>& circuits) const;
   /// Circuits with something wrong in them.
   const std::vector<bool>& damaged() const { return damaged_; }
 

@@ -171,31 +171,8 @@ void DrawnLowering::finish(Form form) {
                           ? 0
                           : pou_.networks[firstNetwork + static_cast<std::size_t>(found - circuits.begin())].number;
   }
-  // A comment belongs to the first circuit that reaches below it; without positions, to that of the next element.
-  std::vector<double> top(damaged_.size(), 1e300);
-  bool hasPlaces = false;
-  for (int i = 0; i < circuit_->count(); ++i) {
-    const DrawnElement& e = circuit_->element(i);
-    if (e.kind == DrawnKind::LeftRail || e.kind == DrawnKind::RightRail) continue;
-    double& height = top[static_cast<std::size_t>(circuit_->circuitOf(i))];
-    height = std::min(height, e.y);
-    hasPlaces = hasPlaces || e.y != 0;
-  }
   for (const DrawnNote& note : network_->notes) {
-    std::size_t chosen = circuits.size();
-    for (std::size_t k = 0; k < circuits.size(); ++k) {
-      if (circuits[k] == DrawnCircuit::nothing) {
-        chosen = 0;
-        break;
-      }
-      if (hasPlaces) {
-        const double height = top[static_cast<std::size_t>(circuits[k])];
-        if (height >= note.y && (chosen == circuits.size() || height < top[static_cast<std::size_t>(circuits[chosen])]))
-          chosen = k;
-      } else if (note.before < network_->elements.size() && chosen == circuits.size()) {
-        if (circuits[k] == circuit_->circuitOf(static_cast<int>(note.before))) chosen = k;
-      }
-    }
+    const std::size_t chosen = circuit_->below(note, circuits);
     if (chosen == circuits.size()) {
       pou_.comments.insert(pou_.comments.end(), note.lines.begin(), note.lines.end());
       continue;

@@ -8,6 +8,7 @@
 #include "frontend/graphical/drawn_circuit.hpp"
 #include "frontend/iec/iec_lowering.hpp"
 #include "frontend/iec/iec_parser.hpp"
+#include "frontend/iec/iec_pictures.hpp"
 #include "frontend/iec/iec_tree.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 
@@ -23,8 +24,9 @@ bool isInstance(const DrawnElement& element) {
 
 class DrawingToStatements {
  public:
-  DrawingToStatements(Program& program, const DrawnNetwork& network, BlockSyntax& block, SyntaxSink& sink)
-      : block_(block),
+  DrawingToStatements(Program& program, const DrawnNetwork& network, Form form, BlockSyntax& block, SyntaxSink& sink)
+      : form_(form),
+        block_(block),
         sink_(sink),
         drawnSink_(program),
         circuit_(network, placed(block), isInstance, true),
@@ -35,11 +37,49 @@ class DrawingToStatements {
     for (int i = 0; i < circuit_.count(); ++i) {
       if (circuit_.element(i).kind == DrawnKind::Contact) contacts_.insert(inCircuit(i));
     }
-    for (const int i : circuit_.results()) attempt(i);
+    const std::vector<int>& results = circuit_.results();
+    for (std::size_t k = 0; k < results.size();) {
+      std::size_t end = k;
+      const int number = circuit_.circuitOf(results[k]);
+      const std::size_t first = block_.body.size();
+      for (; end < results.size() && circuit_.circuitOf(results[end]) == number; ++end) attempt(results[end]);
+      joined(first,
+             {results.begin() + static_cast<std::ptrdiff_t>(k), results.begin() + static_cast<std::ptrdiff_t>(end)});
+      k = end;
+    }
+    placeNotes();
   }
 
  private:
   struct Unwritable {};
+
+  /// The statements from `first` on are those of one circuit.
+  void joined(std::size_t first, const std::vector<int>& results) {
+    if (first == block_.body.size()) return;
+    const int circuit = circuit_.circuitOf(results[0]);
+    for (std::size_t k = first; k < block_.body.size(); ++k) block_.body[k].circuit = static_cast<int>(first) + 1;
+    if (!circuit_.damaged()[static_cast<std::size_t>(circuit)])
+      block_.body[first].drawn = pictureOf(circuit_, results, form_, isInstance);
+    if (std::ranges::find(circuits_, circuit) != circuits_.end()) return;
+    circuits_.push_back(circuit);
+    firsts_.push_back(first);
+  }
+
+  /// Comments and titles go to the first statement of the circuit below them.
+  void placeNotes() {
+    std::map<std::size_t, CircuitPicture> changed;
+    for (const DrawnNote& note : circuit_.network().notes) {
+      const std::size_t chosen = circuit_.below(note, circuits_);
+      if (chosen == circuits_.size()) continue;
+      const auto& drawn = block_.body[firsts_[chosen]].drawn;
+      if (drawn == nullptr) continue;
+      CircuitPicture& picture = changed.try_emplace(firsts_[chosen], *drawn).first->second;
+      if (picture.title.empty()) picture.title = note.title;
+      picture.comments.insert(picture.comments.end(), note.lines.begin(), note.lines.end());
+    }
+    for (auto& [first, picture] : changed)
+      block_.body[first].drawn = std::make_shared<const CircuitPicture>(std::move(picture));
+  }
 
   DrawnSink& placed(const BlockSyntax& block) {
     drawnSink_.setPlace(block.name, 0);
@@ -408,6 +448,7 @@ class DrawingToStatements {
     block_.variables.push_back(std::move(made));
   }
 
+  Form form_;
   BlockSyntax& block_;
   SyntaxSink& sink_;
   DrawnSink drawnSink_;
@@ -416,20 +457,22 @@ class DrawingToStatements {
   std::vector<std::string> flows_;
   std::set<InCircuit> contacts_;             ///< variables that contacts read
   std::map<InCircuit, std::string> before_;  ///< by variable that a coil has written: its value of before
+  std::vector<int> circuits_;                ///< with statements
+  std::vector<std::size_t> firsts_;          ///< parallel: the first statement of each
   int depth_ = 0;
   bool isWriting_ = false;
 };
 
 }  // namespace
 
-void drawnStatements(Program& program, const DrawnNetwork& network, BlockSyntax& block, SyntaxSink& sink) {
+void drawnStatements(Program& program, const DrawnNetwork& network, Form form, BlockSyntax& block, SyntaxSink& sink) {
   if (network.isDamaged) {
     Statement lost;
     lost.kind = StatementKind::Unread;
     lost.span = network.span;
     block.body.push_back(std::move(lost));
   }
-  DrawingToStatements(program, network, block, sink).run();
+  DrawingToStatements(program, network, form, block, sink).run();
 }
 
 }  // namespace rungproof::iec

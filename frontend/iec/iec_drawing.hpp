@@ -10,7 +10,7 @@
 namespace rungproof::iec {
 
 /// Appends the statements to the body of the block, and to its variables the edge memories and flows that they need,
-/// and instances that are drawn without a declaration.
-void drawnStatements(Program& program, const DrawnNetwork& network, BlockSyntax& block, SyntaxSink& sink);
+/// and instances that are drawn without a declaration. The statements of a circuit know how it was drawn.
+void drawnStatements(Program& program, const DrawnNetwork& network, Form form, BlockSyntax& block, SyntaxSink& sink);
 
 }  // namespace rungproof::iec

@@ -275,11 +275,16 @@ const Type* Lowering::value(Scope& scope, const Expr& expr, const Type* wanted) 
       }
       if (!at.type->isValue()) refuse(expr.span, fmt::format("{} is no value here", at.type->name));
       readReference(scope, at);
+      showValue(expr);
       return &at.valueType();
     }
     case ExprKind::Unary: return unary(scope, expr, wanted);
     case ExprKind::Binary: return binary(scope, expr, wanted);
-    case ExprKind::Call: return call(scope, expr, wanted);
+    case ExprKind::Call: {
+      const Type* result = call(scope, expr, wanted);
+      showValue(expr);
+      return result;
+    }
   }
   return nullptr;
 }

@@ -391,12 +391,93 @@ void Lowering::makeAction(BlockInstance& instance, const ActionSyntax& action) {
   openActions_.erase(&action);
 }
 
+/// A drawn circuit is a network. One that cannot be lowered as a whole falls apart, so that the rest of it is spared.
+/// Gives the first statement behind it.
+template <class Write>
+std::size_t Lowering::writeCircuit(Pou& pou, Scope& scope, const Statements& body, std::size_t first, Write&& write) {
+  std::size_t end = first, next = first;
+  while (end < body.size() && body[end].circuit == body[first].circuit) ++end;
+  const CircuitPicture* const picture = body[first].drawn.get();
+  const Span whole = picture != nullptr ? picture->span : body[first].span;
+  const std::size_t before = pou.networks.size();
+  shown_.clear();
+  isDrawn_ = picture != nullptr;
+  while (next < end) {
+    bool isRefused = false;
+    write(whole, [&] {
+      for (; next < end && !isRefused; ++next) {
+        const std::size_t own = network_->instructions.size();
+        span_ = body[next].span;
+        try {
+          statement(scope, body[next]);
+        } catch (const Refused&) {
+          network_->instructions.resize(own);
+          isRefused = true;
+        }
+      }
+    });
+    if (!isRefused) continue;
+    const Statement& lost = body[next - 1];
+    write(lost.span, [&] { throw Refused{}; });
+    pou.networks.back().mayWrite = writtenBy(scope, lost);
+  }
+  isDrawn_ = false;
+  if (pou.networks.size() == before) return end;
+  Network& made = pou.networks[before];
+  if (picture != nullptr) {
+    made.title = picture->title;
+    made.comments = picture->comments;
+  }
+  if (picture == nullptr || pou.networks.size() != before + 1 || !made.complete) return end;
+  network_ = &made;
+  place(*picture);
+  return end;
+}
+
+/// What stands in the drawing as that expression lies on the evaluation stack now.
+void Lowering::showValue(const Expr& expr) {
+  if (!isDrawn_) return;
+  const bool isPart = expr.kind == ExprKind::Path && expr.parts.size() > 1;
+  shown_.push_back({expr.span.offset, isPart ? foldedName(expr.parts.back().name) : std::string(), false,
+                    static_cast<std::uint32_t>(network_->instructions.size() - 1)});
+}
+
+/// The drawing of the circuit with the instructions at which its values are to be seen.
+void Lowering::place(const CircuitPicture& picture) {
+  if (picture.drawing.elements.empty()) return;
+  Drawing drawing = picture.drawing;
+  std::map<std::uint32_t, std::shared_ptr<BoxFace>> faces;
+  for (std::uint32_t i = 0; i < drawing.elements.size(); ++i) {
+    if (drawing.elements[i].face != nullptr) faces[i] = std::make_shared<BoxFace>(*drawing.elements[i].face);
+  }
+  using At = ShownValue::At;
+  for (const ShownValue& value : picture.values) {
+    std::uint32_t found = noInstruction;
+    for (const Shown& shown : shown_) {
+      const bool isMeant = shown.offset == value.offset && shown.isStored == (value.at == At::Stored) &&
+                           (value.at != At::Member || shown.member == value.member);
+      if (isMeant && (found == noInstruction || value.at != At::FirstRead)) found = shown.instruction;
+    }
+    if (value.part == ShownValue::Part::Whole) {
+      drawing.elements[value.element].instruction = found;
+    } else {
+      BoxFace& face = *faces.at(value.element);
+      (value.part == ShownValue::Part::Left ? face.left : face.right)[value.pin].instruction = found;
+    }
+  }
+  for (auto& [element, face] : faces) drawing.elements[element].face = std::move(face);
+  network_->form = picture.form;
+  network_->drawing = std::make_shared<const Drawing>(std::move(drawing));
+}
+
 /// Each statement is a network, so that what cannot be lowered spares the others.
 void Lowering::writeRoutine(Pou pou, Scope& scope, const Statements& body) {
   const BlockInstance& instance = *scope.self;
   Network* const outer = network_;
   const Span at = span_;
   const int labels = std::exchange(nextLabel_, 0);
+  std::vector<Shown> shown = std::exchange(shown_, {});
+  const bool wasDrawn = std::exchange(isDrawn_, false);
   auto constants = types_.constants;
   for (const auto& [name, variable] : instance.names) {
     if (variable.constant) types_.constants[name] = *variable.constant;
@@ -434,7 +515,12 @@ void Lowering::writeRoutine(Pou pou, Scope& scope, const Statements& body) {
     }
   }
   beginList(scope, body);
-  for (const Statement& one : body) {
+  for (std::size_t k = 0; k < body.size(); ++k) {
+    const Statement& one = body[k];
+    if (one.circuit != 0) {
+      k = writeCircuit(pou, scope, body, k, write) - 1;
+      continue;
+    }
     if (one.kind == StatementKind::Line) {
       if (!one.line->label.empty())
         write(Span{one.span.file, one.span.offset, 0}, [&] { listLabel(scope, *one.line); });
@@ -453,6 +539,8 @@ void Lowering::writeRoutine(Pou pou, Scope& scope, const Statements& body) {
   network_ = outer;
   span_ = at;
   nextLabel_ = labels;
+  shown_ = std::move(shown);
+  isDrawn_ = wasDrawn;
   types_.constants = std::move(constants);
 }
 

@@ -110,6 +110,10 @@ class Lowering {
   void makeRoutine(BlockInstance& instance);
   void makeAction(BlockInstance& instance, const ActionSyntax& action);
   void writeRoutine(Pou pou, Scope& scope, const Statements& body);
+  template <class Write>
+  std::size_t writeCircuit(Pou& pou, Scope& scope, const Statements& body, std::size_t first, Write&& write);
+  void showValue(const Expr& expr);
+  void place(const CircuitPicture& picture);
   std::optional<Operands> writtenBy(Scope& scope, const Statement& one);
   std::optional<Operands> placesOf(Scope& scope, const Expr& target);
   static bool calls(const Expr& expr);
@@ -318,6 +322,15 @@ class Lowering {
   Network* network_ = nullptr;
   Span span_;                            ///< of the statement at hand
   std::vector<std::uint8_t> isWritten_;  ///< by byte
+  /// Values of a drawn circuit that is being written: where in the source they are named, and who leaves them.
+  struct Shown {
+    std::uint32_t offset;
+    std::string member;  ///< the last name of a path of several, in capitals
+    bool isStored;
+    std::uint32_t instruction;
+  };
+  std::vector<Shown> shown_;
+  bool isDrawn_ = false;
   static constexpr std::uint32_t mostBytes = 1U << 20;
 };
 

@@ -50,6 +50,9 @@ class PlcopenText : private PlcopenBodies {
       if (part.isDamaged) project_.isDamaged = true;
       forEachBelow(*part.document, [&](const pugi::xml_node& node) { visit(node); });
     }
+    if (isAnythingThere_ || project_.isDamaged) return;
+    sink_.report(Syntax::XmlStructure, {sink_.file(), 0, 0},
+                 hasProject_ ? "the project has no block" : "there is no element <project>");
   }
 
  private:
@@ -57,6 +60,8 @@ class PlcopenText : private PlcopenBodies {
     if (node.type() == pugi::node_comment) return directives(node);
     if (node.type() != pugi::node_element) return;
     const std::string_view name = localName(node);
+    hasProject_ = hasProject_ || name == "project";
+    isAnythingThere_ = isAnythingThere_ || name == "pou" || name == "dataType" || name == "globalVars";
     if (name == "pou") readBlock(node);
     if (name == "dataType") readType(node);
     if (name == "globalVars" && localName(node.parent()) != "interface")
@@ -103,7 +108,11 @@ class PlcopenText : private PlcopenBodies {
     made.kind = kind == "function"        ? BlockKind::Function
                 : kind == "functionBlock" ? BlockKind::FunctionBlock
                                           : BlockKind::Program;
-    if (made.name.empty()) error(node, "a block has no name");
+    if (made.name.empty() || (kind != "function" && kind != "functionBlock" && kind != "program")) {
+      error(node, fmt::format("block \"{}\" needs a name and the type program, functionBlock or function",
+                              excerpt(made.name)));
+      made.isWhole = false;
+    }
     sink_.setPlace(made.name, 0);
     int bodies = 0;
     for (const pugi::xml_node& child : node.children()) {
@@ -115,7 +124,10 @@ class PlcopenText : private PlcopenBodies {
       }
     }
     readActions(childNamed(node, "actions"), made);
-    if (bodies == 0) made.unread = "no language";
+    if (bodies == 0) {
+      error(node, fmt::format("block {} has no body", made.name));
+      made.isWhole = false;
+    }
     sink_.setPlace("", 0);
     project_.blocks.push_back(std::move(made));
   }
@@ -313,7 +325,7 @@ class PlcopenText : private PlcopenBodies {
   }
   Statements statementsOf(const DrawnNetwork& network, BlockSyntax& block) override {
     Statements outer = std::exchange(block.body, {});
-    drawnStatements(program_, network, block, sink_);
+    drawnStatements(program_, network, Form::Ladder, block, sink_);
     return std::exchange(block.body, std::move(outer));
   }
   ExprPtr expressionOf(const pugi::xml_node& node) override {
@@ -369,7 +381,7 @@ class PlcopenText : private PlcopenBodies {
           project_.directives.push_back({std::string(*directive), line.span, -1, 0});
       }
     }
-    drawnStatements(program_, network, block, sink_);
+    drawnStatements(program_, network, localName(node) == "FBD" ? Form::Fbd : Form::Ladder, block, sink_);
   }
 
   void readStatements(const pugi::xml_node& node, BlockSyntax& block) {
@@ -414,6 +426,7 @@ class PlcopenText : private PlcopenBodies {
   std::string_view text_;
   XmlText xml_;
   const XmlText::Part* part_ = nullptr;
+  bool hasProject_ = false, isAnythingThere_ = false;
   std::map<std::size_t, std::string> taskOf_;
   std::deque<std::string> kept_;
   std::deque<std::vector<std::uint32_t>> places_;

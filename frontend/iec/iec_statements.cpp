@@ -132,6 +132,8 @@ void Lowering::assign(Scope& scope, const Statement& s) {
       target.declared != nullptr && foldedName(target.declared->name) == "PT" && !target.owner->longestPreset)
     latchPreset(*target.owner, target.valueType());
   writeReference(scope, target);
+  if (isDrawn_)
+    shown_.push_back({s.target->span.offset, {}, true, static_cast<std::uint32_t>(network_->instructions.size() - 1)});
 }
 
 /// Arrays, structures and texts: of a variable, or what a function gives.

@@ -39,10 +39,7 @@ namespace {
 
 class ProjectReader {
  public:
-  explicit ProjectReader(const ReadOptions& options) : options_(options) {
-    program_.target = options.target;
-    programAsIec_.sources = program_.sources;
-  }
+  explicit ProjectReader(const ReadOptions& options) : options_(options) { program_.target = options.target; }
 
   void addFile(const std::string& path, bool isSymbolFile) {
     if (const auto argument = isSymbolFile ? std::nullopt : projectArgument(path))
@@ -92,7 +89,7 @@ class ProjectReader {
                               decoded.badBytes == 1 ? " is" : "s are", encodingName(decoded.encoding)));
     }
     const std::size_t before = program_.pous.size();
-    read({file, decoded.encoding, isSymbolFile, &drawn_, &step7_, &iec_, &drawnAsIec_, &programAsIec_});
+    read({file, decoded.encoding, isSymbolFile, &drawn_, &step7_, &iec_});
     const bool isBlock = program_.pous.size() == before + 1 && program_.pous[before].kind == PouKind::Main;
     if (isBlock && !program_.olderDialect && !stlLikeness(program_.sources->file(file).text()).hasHeading)
       headless_.push_back({before, program_.sources->file(file).name()});
@@ -111,7 +108,6 @@ class ProjectReader {
     if (!isStep7 && (rungproof::isStep7(program_.target) || rungproof::isIec(program_.target)))
       program_.target = dialects().front()->usual;
     if (isIecProject) iec::buildIecProgram(program_, iec_);
-    if (!isStep7 && !isIecProject && isReadBetterAsIec()) return std::move(programAsIec_);
     mainFirst();
     if (!isStep7 && !isIecProject) {
       reportTwins();
@@ -228,23 +224,6 @@ class ProjectReader {
                             program_.sources->file(file).name()));
   }
 
-  /// Whether drawings have what an S7-200 does not have, and all of it is read as a program of IEC 61131-3.
-  bool isReadBetterAsIec() {
-    const auto isError = [](const Finding& finding) { return finding.severity == Severity::Error; };
-    if (drawnAsIec_.isEmpty() || std::ranges::none_of(program_.findings, isError)) return false;
-    for (std::uint32_t i = 0; i < program_.sources->size(); ++i) {
-      if (!looksLikeXml(program_.sources->file(i).text())) return false;
-    }
-    iec::buildIecProgram(programAsIec_, drawnAsIec_);
-    if (std::ranges::any_of(programAsIec_.findings, isError) || programAsIec_.main() == nullptr) return false;
-    programAsIec_.number();
-    const Span place = program_.pous.empty() ? Span{} : program_.pous.front().span;
-    SyntaxSink(programAsIec_, place.file)
-        .report(Syntax::ReadAsIec, place,
-                "read as a program of IEC 61131-3: an S7-200 does not have all that is drawn");
-    return true;
-  }
-
   void reportBesideIec() {
     const std::uint32_t file = iec_.blocks.empty() ? 0 : iec_.blocks.front().span.file;
     SyntaxSink(program_, file)
@@ -295,8 +274,6 @@ class ProjectReader {
   DrawnProject drawn_;
   step7::Step7Project step7_;
   iec::ProjectSyntax iec_;
-  iec::ProjectSyntax drawnAsIec_;
-  Program programAsIec_;
   StoredReader stored_{program_, step7_};
   std::vector<mc7::StoredBlock> uploads_;
   std::vector<InputText> waiting_;  ///< tables and drawings

@@ -58,10 +58,14 @@ OperandText ElementTexts::operand(int element, std::size_t index) const {
                     operand.kind == OperandKind::Address;
   text.symbol = shortened(symbolName(program_, pou_, operand));
   text.address = operand.kind == OperandKind::Missing ? "??.?" : shortened(toString(operand));
-  if (flow_ == nullptr || text.isConstant) return text;
-  const std::vector<std::string>& values = (*flow_)[static_cast<std::size_t>(element)].values;
-  if (index < values.size() && !values[index].empty()) text.address += "=" + values[index];
+  if (!text.isConstant) text.address += value(element, index);
   return text;
+}
+
+std::string ElementTexts::value(int element, std::size_t index) const {
+  if (flow_ == nullptr) return {};
+  const std::vector<std::string>& values = (*flow_)[static_cast<std::size_t>(element)].values;
+  return index < values.size() && !values[index].empty() ? "=" + values[index] : std::string();
 }
 
 void ElementTexts::setFindings(const std::vector<const Finding*>& findings) {

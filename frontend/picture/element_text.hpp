@@ -45,6 +45,8 @@ class ElementTexts {
   void setFlow(const std::vector<ElementFlow>* flow) { flow_ = flow; }
 
   OperandText operand(int element, std::size_t index) const;
+  /// "=12": value `index` of the element in the scan that is shown; empty: there is none.
+  std::string value(int element, std::size_t index) const;
   Flow3 output(int element) const {
     return flow_ == nullptr || element < 0 ? Flow3::Unknown : (*flow_)[static_cast<std::size_t>(element)].output;
   }

@@ -123,6 +123,12 @@ class FbdPlan {
       }
       return {add(std::move(node))};
     }
+    if (element.desc->role == Role::Eu || element.desc->role == Role::Ed) {  // of a variable
+      node.kind = NodeKind::Box;
+      node.name = std::string(element.desc->drawnName());
+      node.left.push_back({{}, texts_.operand(i, 0).whole(), false});
+      return {add(std::move(node))};
+    }
     const bool isNegated = element.desc->negated;
     const bool isImmediate = element.desc->immediate;
     node.kind = NodeKind::Leaf;

@@ -164,6 +164,13 @@ std::string sizeReason(const PlanNodes& plan) {
 /// The drawing of a network in that form, or why there is none.
 Raised drawingOf(const Network& network, const ViewOptions& options, const Target& target) {
   const Form form = options.form;
+  // As it was drawn; blocks stand in a ladder as they stand in an FBD.
+  if (network.drawing != nullptr && network.drawing->isOfVariables) {
+    if (std::string reason = sizeReason(network, network.drawing.get()); !reason.empty())
+      return {std::nullopt, std::move(reason), nullptr};
+    const bool isTurned = form == Form::Fbd && network.form == Form::Ladder;
+    return {isTurned ? asFbd(*network.drawing) : *network.drawing, {}, nullptr};
+  }
   // The recorder follows the logic stack, which that family does not have.
   if (options.recorder != nullptr && isStep7(target))
     return {std::nullopt, "the power flow of an S7-300 or S7-400 is not drawn", nullptr};
@@ -206,7 +213,8 @@ NetworkView networkView(const Program& program, const Pou& pou, const Network& n
     view.notes.push_back({finding->severity, fmt::format("{}: {}", finding->rule, finding->message)});
   view.notExecuted =
       options.recorder != nullptr && !network.instructions.empty() && !wasExecuted(network, *options.recorder);
-  if (isIec(program.target)) {
+  const bool isText = program.syntax != nullptr;
+  if (isText && (network.drawing == nullptr || options.form == Form::Stl)) {
     view.statements = sourceLines(program, network);
     return view;
   }
@@ -222,7 +230,7 @@ NetworkView networkView(const Program& program, const Pou& pou, const Network& n
       texts.setFindings({findings.begin(), findings.end()});
       std::vector<ElementFlow> flows;
       if (options.recorder != nullptr) {
-        flows = elementFlows(*raised.drawing, network, *options.recorder);
+        flows = elementFlows(program, *raised.drawing, network, *options.recorder);
         texts.setFlow(&flows);
       }
       const PlanNodes plan =
@@ -239,7 +247,7 @@ NetworkView networkView(const Program& program, const Pou& pou, const Network& n
       }
     }
   }
-  view.statements = statementLines(program, network, options);
+  view.statements = isText ? sourceLines(program, network) : statementLines(program, network, options);
   return view;
 }
 

@@ -55,9 +55,28 @@ std::string nameOfBox(const ElementTexts& texts, const Element& element, int ind
                                                              : text.address;
 }
 
+/// A box that says itself what it shows.
+PlanNode facedNode(const ElementTexts& texts, const BoxFace& face, int index, bool isOutputUsed) {
+  PlanNode node = nodeOf(texts, index);
+  node.kind = NodeKind::Box;
+  node.name = face.name;
+  if (!face.instance.empty()) node.above = {shortened(face.instance)};
+  node.hasOutput = isOutputUsed;
+  node.outputPin = isOutputUsed ? face.output : std::string();
+  std::size_t value = 0;
+  const auto add = [&](const std::vector<BoxFace::Pin>& pins, std::vector<DataPin>& into) {
+    for (const BoxFace::Pin& pin : pins)
+      into.push_back({pin.name, shortened(pin.text) + texts.value(index, value++), pin.isConstant});
+  };
+  add(face.left, node.left);
+  add(face.right, node.right);
+  return node;
+}
+
 }  // namespace
 
 PlanNode boxNode(const ElementTexts& texts, const Element& element, int index, bool isOutputUsed) {
+  if (element.face != nullptr) return facedNode(texts, *element.face, index, isOutputUsed);
   PlanNode node = nodeOf(texts, index);
   const Desc& desc = *element.desc;
   node.kind = NodeKind::Box;
@@ -88,6 +107,7 @@ PlanNode boxNode(const ElementTexts& texts, const Element& element, int index, b
 }
 
 std::vector<std::string> powerPinsOf(const ElementTexts& texts, const Element& element) {
+  if (element.face != nullptr) return element.face->inputs;
   if (isCallBox(*element.desc)) return callPowerPins(element.operands, calleeOf(texts, element));
   return powerPins(*element.desc);
 }

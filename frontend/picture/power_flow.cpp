@@ -158,8 +158,9 @@ bool wasExecuted(const Network& network, const InstructionRecorder& recorder) {
                              [&](const Instruction& instruction) { return recorder.of(instruction).executions > 0; });
 }
 
-std::vector<ElementFlow> elementFlows(const Drawing& drawing, const Network& network,
+std::vector<ElementFlow> elementFlows(const Program& program, const Drawing& drawing, const Network& network,
                                       const InstructionRecorder& recorder) {
+  if (drawing.isOfVariables) return variableFlows(program, drawing, network, recorder);
   return FlowWalk(drawing, network, recorder).run();
 }
 

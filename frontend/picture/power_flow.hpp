@@ -12,8 +12,11 @@
 namespace rungproof {
 
 /// Flow of every element. Elements whose instruction did not run in the scan are off.
-std::vector<ElementFlow> elementFlows(const Drawing& drawing, const Network& network,
+std::vector<ElementFlow> elementFlows(const Program& program, const Drawing& drawing, const Network& network,
                                       const InstructionRecorder& recorder);
+/// The same where elements name variables of IEC 61131-3.
+std::vector<ElementFlow> variableFlows(const Program& program, const Drawing& drawing, const Network& network,
+                                       const InstructionRecorder& recorder);
 
 /// Whether any instruction of the network ran.
 bool wasExecuted(const Network& network, const InstructionRecorder& recorder);

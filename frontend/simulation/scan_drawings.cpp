@@ -6,7 +6,9 @@
 #include "frontend/picture/network_view.hpp"
 #include "frontend/picture/svg_picture.hpp"
 #include "frontend/picture/timing_diagram.hpp"
+#include "frontend/step7/source_writer.hpp"
 #include "frontend/text/safe_text.hpp"
+#include "ir/drawing.hpp"
 
 namespace rungproof {
 
@@ -39,6 +41,7 @@ void ScanDrawings::add() {
   if (bytes_ < pageBytes) {
     std::vector<std::size_t>& pages = drawings_.pagesOf.emplace_back();
     for (const Pou& pou : program_.pous) {
+      if (step7::isLibraryBlock(program_, pou)) continue;
       for (const Network& network : pou.networks) {
         if (!network.instructions.empty()) pages.push_back(draw(pou, network));
       }
@@ -52,6 +55,7 @@ std::size_t ScanDrawings::draw(const Pou& pou, const Network& network) {
   const auto [place, isNew] = last_.try_emplace(&network);
   if (!isNew && place->second.look == look) return place->second.page;
   ViewOptions options;
+  if (network.drawing != nullptr && network.drawing->isOfVariables) options.form = formAsRead(network);
   options.recorder = &recorder_;
   const NetworkView view = networkView(program_, pou, network, options);
   // Networks stay in program order, whatever look came first.

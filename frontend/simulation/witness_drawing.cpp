@@ -9,6 +9,7 @@
 #include "engine/instruction_recorder.hpp"
 #include "frontend/picture/network_view.hpp"
 #include "frontend/simulation/witness_report.hpp"
+#include "frontend/step7/source_writer.hpp"
 
 namespace rungproof {
 
@@ -108,6 +109,7 @@ std::vector<std::pair<const Pou*, const Network*>> networksThatMatter(const Prog
     for (std::size_t i = 0; i < chosen.size(); ++i) addRead(*chosen[i].second, wanted);
     grows = chosen.size() > before;
   }
+  std::erase_if(chosen, [&](const Place& place) { return step7::isLibraryBlock(program, *place.first); });
   std::ranges::sort(chosen, {}, [&](const Place& place) { return std::ranges::find(all, place) - all.begin(); });
   return chosen;
 }

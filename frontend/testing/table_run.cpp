@@ -36,10 +36,10 @@ ShownScan drawn(const Program& program, const TraceSignal& signal, const Instruc
   node.operand = signal.operand;
   asked.property.first.nodes.push_back(node);
   ViewOptions view;
-  view.form = options.shows.value_or(Form::Ladder);
   view.recorder = &recorder;
   ShownScan shown;
   for (const auto& [pou, network] : networksThatMatter(program, asked)) {
+    view.form = options.shows.value_or(network->drawing != nullptr ? formAsRead(*network) : Form::Ladder);
     const NetworkView picture = networkView(program, *pou, *network, view);
     ShownNetwork& one =
         shown.networks.emplace_back(ShownNetwork{fmt::format("{}, {}", pou->name, picture.heading), {}, {}});

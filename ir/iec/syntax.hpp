@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ir/drawing.hpp"
 #include "ir/program.hpp"
 
 namespace rungproof::iec {
@@ -76,6 +77,7 @@ enum class StatementKind : std::uint8_t {
   Unread  ///< writes `target` if there is one, otherwise anything
 };
 
+struct CircuitPicture;
 struct Statement;
 using Statements = std::vector<Statement>;
 
@@ -114,6 +116,28 @@ struct Statement {
   bool hasElse = false;
   std::unique_ptr<ListLine> line;  ///< Line
   std::string picture;             ///< of a chart: the text that shows it
+  int circuit = 0;                 ///< of a drawing: statements of one circuit have one number and are one network
+  std::shared_ptr<const CircuitPicture> drawn;  ///< of the first statement of a circuit
+};
+
+/// Where the lowering finds a value that a picture shows: what was read or written at a place of the source.
+struct ShownValue {
+  enum class Part : std::uint8_t { Whole, Left, Right } part = Part::Whole;  ///< of the element
+  enum class At : std::uint8_t { FirstRead, LastRead, Member, Stored } at = At::FirstRead;
+  std::uint32_t element = 0;
+  std::uint32_t pin = 0;     ///< Left, Right: of BoxFace
+  std::uint32_t offset = 0;  ///< in the source
+  std::string member;        ///< Member: in capitals; of a function: empty
+};
+
+/// How a circuit was drawn, with what stands above it.
+struct CircuitPicture {
+  Drawing drawing;
+  std::vector<ShownValue> values;
+  Form form = Form::Ladder;
+  Span span;
+  std::string title;
+  std::vector<Comment> comments;
 };
 
 enum class TypeForm : std::uint8_t { Named, Array, Struct, Enum };

@@ -203,10 +203,9 @@ TEST(DrawnBlocks, PresetsThatNoTimerCanCountAreFindings) {
     return program.findings.empty() ? "none" : std::string(program.findings[0].rule);
   };
   EXPECT_EQ(rule("T#50m"), "none");
-  // No timer of an S7-200 counts so long, and a variable may change to what steps of 100 ms do not hit: both are read
-  // as programs of IEC 61131-3, whose timers count milliseconds.
-  EXPECT_EQ(rule("T#2h"), "SYN061");
-  EXPECT_EQ(rule("v"), "SYN061");
+  // No timer of an S7-200 counts so long, and a variable may change to what steps of 100 ms do not hit.
+  EXPECT_EQ(rule("T#2h"), "GRF002");
+  EXPECT_EQ(rule("v"), "GRF002");
 }
 
 TEST(DrawnBlocks, EnableJumpsOverTheBlock) {

@@ -186,7 +186,8 @@ TEST(Plcopen, BlocksAndGlobalListsInsideVendorData) {
       coilElement(2, {"1.none"}, "run");
   const std::string text =
       "<?xml version=\"1.0\"?>\n<project "
-      "xmlns=\"http://www.plcopen.org/xml/tc6_0200\"><types><dataTypes/><pous/></types><addData><data "
+      "xmlns=\"http://www.plcopen.org/xml/tc6_0200\"><fileHeader "
+      "productName=\"S7-200\"/><types><dataTypes/><pous/></types><addData><data "
       "name=\"http://www.3s-software.com/plcopenxml/application\" handleUnknown=\"implementation\">"
       "<resource name=\"Application\"><task name=\"MainTask\"><pouInstance name=\"PLC_PRG\" "
       "typeName=\"\"/></task><addData><data><globalVars name=\"GVL\">" +

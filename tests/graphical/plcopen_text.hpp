@@ -40,10 +40,14 @@ inline std::string pouText(const std::string& name, const std::string& kind, con
                      name, kind, interface, language, elements, language);
 }
 
-inline std::string projectText(const std::string& pous) {
+/// The heading says that the program is one of an S7-200.
+inline constexpr const char* headingOfS7200 =
+    "<fileHeader companyName=\"\" productName=\"S7-200\" productVersion=\"1\"/>";
+
+inline std::string projectText(const std::string& pous, const std::string& heading = headingOfS7200) {
   return "<?xml version=\"1.0\"?>\n<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\" "
-         "xmlns:xhtml=\"http://www.w3.org/1999/xhtml\"><types><dataTypes/><pous>\n" +
-         pous + "</pous></types></project>\n";
+         "xmlns:xhtml=\"http://www.w3.org/1999/xhtml\">" +
+         heading + "<types><dataTypes/><pous>\n" + pous + "</pous></types></project>\n";
 }
 
 /// A program with local variables.

@@ -86,7 +86,9 @@ TEST(StrictPlcopen, OneBodyInOneLanguage) {
   ReadOptions asS7200;
   asS7200.dialect = "s7-200";
   EXPECT_TRUE(hasReadErrors(readText("t.xml", twice, asS7200)));
-  const Program worksheets = readText("t.xml", twice);
+  ReadOptions asIec;
+  asIec.dialect = "iec";
+  const Program worksheets = readText("t.xml", twice, asIec);
   EXPECT_FALSE(hasReadErrors(worksheets));
   const auto main = std::ranges::find(worksheets.pous, "Main", &Pou::name);
   ASSERT_NE(main, worksheets.pous.end());

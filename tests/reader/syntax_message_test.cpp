@@ -63,7 +63,13 @@ TEST(SyntaxMessages, EveryMessageOccurs) {
   std::string deep;
   for (int i = 0; i < 300; ++i) deep += "<a>";
   collect(readText("x", project + deep));
-  collect(readText("x", project + "<body><SFC/></body></pou></project>"));
+  ReadOptions asS7200;
+  asS7200.dialect = "s7-200";
+  collect(readText("x", project + "<body><SFC/></body></pou></project>", asS7200));
+  collect(readText("x",
+                   "<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\"><fileHeader productName=\"S7-200\"/>"
+                   "<pou name=\"M\" pouType=\"program\"><body><SFC/></body></pou></project>",
+                   asS7200));
   collect(readText(
       "x", project +
                "<interface><localVars><variable name=\"T\"><type><derived name=\"TON\"/></type></variable><variable "

@@ -57,7 +57,7 @@ int compareScan(const Program& program, const InstructionRecorder& recorder, For
     for (const Network& network : pou.networks) {
       const Raised raised = raise(network, form);
       if (!raised.drawing || !wasExecuted(network, recorder)) continue;
-      const std::vector<ElementFlow> flows = elementFlows(*raised.drawing, network, recorder);
+      const std::vector<ElementFlow> flows = elementFlows(program, *raised.drawing, network, recorder);
       for (const Element& element : raised.drawing->elements) {
         const bool isSink = element.shape == Shape::Coil || (element.shape == Shape::Box && element.inputs.size() == 1);
         if (!isSink || element.inputs.empty() || element.instruction >= network.instructions.size()) continue;
