@@ -46,7 +46,7 @@ void DrawnCircuit::build() {
   findCircuits();
   connect();
   cutLoops();
-  orderResults();
+  results_ = orderedResults(true);
 }
 
 void DrawnCircuit::indexElements() {
@@ -249,7 +249,7 @@ std::size_t DrawnCircuit::below(const DrawnNote& note, const std::vector<int>& c
   return chosen;
 }
 
-void DrawnCircuit::orderResults() {
+std::vector<int> DrawnCircuit::orderedResults(bool byStatedOrder) const {
   // A circuit is as high as its highest element; circuits of equal height keep the order of the file.
   constexpr double below = std::numeric_limits<double>::max();
   std::vector<double> top(damaged_.size(), below);
@@ -258,15 +258,17 @@ void DrawnCircuit::orderResults() {
     double& height = top[static_cast<std::size_t>(circuitOf(i))];
     height = std::min(height, element(i).y);
   }
+  std::vector<int> ordered;
   for (int i = 0; i < count(); ++i) {
-    if (isResult(i)) results_.push_back(i);
+    if (isResult(i)) ordered.push_back(i);
   }
   const auto key = [&](int i) {
     const DrawnElement& e = element(i);
-    const int order = e.order > 0 ? e.order : std::numeric_limits<int>::max();
+    const int order = byStatedOrder && e.order > 0 ? e.order : std::numeric_limits<int>::max();
     return std::tuple(order, top[static_cast<std::size_t>(circuitOf(i))], circuitOf(i), e.y, e.x);
   };
-  std::stable_sort(results_.begin(), results_.end(), [&](int a, int b) { return key(a) < key(b); });
+  std::stable_sort(ordered.begin(), ordered.end(), [&](int a, int b) { return key(a) < key(b); });
+  return ordered;
 }
 
 }  // namespace rungproof

@@ -53,6 +53,8 @@ class DrawnCircuit {
   int circuitOf(int i) const { return circuit_[static_cast<std::size_t>(i)]; }
   /// Elements that produce results, in the order of execution.
   const std::vector<int>& results() const { return results_; }
+  /// The same from top to bottom, whatever order the editor states.
+  std::vector<int> resultsByPosition() const { return orderedResults(false); }
   /// Which of these circuits a comment belongs to: the first that reaches below it; without positions that of the next
   /// element. circuits.size(): none.
   std::size_t below(const DrawnNote& note, const std::vector<int>& circuits) const;
@@ -67,7 +69,7 @@ class DrawnCircuit {
   void cutLoops();
   std::vector<std::vector<int>> loops() const;
   std::vector<int> feedersOf(int i) const;
-  void orderResults();
+  std::vector<int> orderedResults(bool byStatedOrder) const;
   bool isResult(int i) const;
   void damage(int i) { damaged_[static_cast<std::size_t>(circuitOf(i))] = true; }
 

@@ -301,8 +301,12 @@ class ChartWriter {
       if (enabled == nullptr) enabled = literalOf("FALSE", transition.span);  // a drawing without its line
       // A step gives its token to one transition only.
       for (std::size_t earlier = 0; earlier < place; ++earlier) {
-        if (sharesStep(chart_.transitions[order[earlier]], transition))
-          enabled = andOf(std::move(enabled), notOf(pathOf({fires[order[earlier]]}, transition.span)));
+        const ChartTransition& other = chart_.transitions[order[earlier]];
+        if (!sharesStep(other, transition)) continue;
+        ExprPtr waits = notOf(pathOf({fires[order[earlier]]}, transition.span));
+        if (!other.priority && !transition.priority)
+          waits = orOf(readingOf("iec-sfc-selection", "all-true", transition.span), std::move(waits));
+        enabled = andOf(std::move(enabled), std::move(waits));
       }
       writeTransition(transition, fire, std::move(enabled), made);
     }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "frontend/graphical/drawn_circuit.hpp"
+#include "frontend/iec/iec_drawn_names.hpp"
 #include "frontend/iec/iec_lowering.hpp"
 #include "frontend/iec/iec_parser.hpp"
 #include "frontend/iec/iec_pictures.hpp"
@@ -15,12 +16,6 @@
 namespace rungproof::iec {
 
 namespace {
-
-bool isInstance(const DrawnElement& element) {
-  if (isStandardFunction(foldedName(element.text))) return false;  // some editors number them as instances
-  return element.kind == DrawnKind::Block && !element.instance.empty() &&
-         element.instance.find('?') == std::string::npos;
-}
 
 class DrawingToStatements {
  public:
@@ -35,9 +30,17 @@ class DrawingToStatements {
 
   void run() {
     for (int i = 0; i < circuit_.count(); ++i) {
-      if (circuit_.element(i).kind == DrawnKind::Contact) contacts_.insert(inCircuit(i));
+      const DrawnElement& e = circuit_.element(i);
+      if (e.kind == DrawnKind::Contact) contacts_.insert(inCircuit(i));
+      if (e.kind != DrawnKind::Contact && e.kind != DrawnKind::InVariable && e.kind != DrawnKind::InOutVariable)
+        continue;
+      std::set<std::string> names;
+      addNames(e.text, names);
+      for (const std::string& name : names) read_.insert({circuit_.circuitOf(i), name});
     }
     const std::vector<int>& results = circuit_.results();
+    const std::vector<int> byPosition = circuit_.resultsByPosition();
+    if (results != byPosition && ordersDiffer(circuit_, results, byPosition)) return writeBothOrders(byPosition);
     for (std::size_t k = 0; k < results.size();) {
       std::size_t end = k;
       const int number = circuit_.circuitOf(results[k]);
@@ -52,6 +55,27 @@ class DrawingToStatements {
 
  private:
   struct Unwritable {};
+
+  /// What the drawing does in either order of its results, as one statement.
+  void writeBothOrders(const std::vector<int>& byPosition) {
+    Statements before = std::exchange(block_.body, {});
+    const std::vector<int>& stated = circuit_.results();
+    for (const int i : stated) attempt(i);
+    Statements byNumber = std::exchange(block_.body, {});
+    isDone_.assign(isDone_.size(), false);
+    flows_.assign(flows_.size(), {});
+    written_.clear();
+    before_.clear();
+    edges_.clear();
+    for (const int i : byPosition) attempt(i);
+    Statement both = ifOf(readingOf("iec-fbd-order", "execution-id", circuit_.network().span), std::move(byNumber),
+                          circuit_.network().span);
+    both.otherwise = std::exchange(block_.body, std::move(before));
+    both.hasElse = true;
+    both.circuit = static_cast<int>(block_.body.size()) + 1;
+    both.drawn = pictureOf(circuit_, stated, form_, isInstance);
+    block_.body.push_back(std::move(both));
+  }
 
   /// The statements from `first` on are those of one circuit.
   void joined(std::size_t first, const std::vector<int>& results) {
@@ -117,6 +141,7 @@ class DrawingToStatements {
       if (circuit_.damaged()[static_cast<std::size_t>(circuit_.circuitOf(i))] || circuit_.isInLoop(i))
         throw Unwritable{};
       write(i);
+      noteWritten(i);
     } catch (const Unwritable&) {
       Statement lost = statementAt(i, StatementKind::Unread);
       block_.body.push_back(std::move(lost));
@@ -187,6 +212,17 @@ class DrawingToStatements {
     return pathOf({instance, "Q"}, span);
   }
 
+  /// The edge memory of a contact is asked once in a scan.
+  ExprPtr edgeOfContact(int i) {
+    const DrawnElement& element = circuit_.element(i);
+    if (element.edge == DrawnEdge::None) return seenBy(i);
+    const auto known = edges_.find(i);
+    if (known != edges_.end()) return copyOf(*known->second);
+    ExprPtr value = edgeOf(i, seenBy(i), element.edge);
+    edges_.emplace(i, copyOf(*value));
+    return value;
+  }
+
   /// What arrives at a pin: several lines are a parallel connection. nullptr: nothing is connected.
   ExprPtr arriving(int i, const DrawnPin& pin) {
     ExprPtr value;
@@ -226,7 +262,7 @@ class DrawingToStatements {
       case DrawnKind::Contact:
         return shared(i, [&] {
           ExprPtr flow = element.inputs.empty() ? literalOf("TRUE", element.span) : flowInto(i);
-          ExprPtr value = edgeOf(i, seenBy(i), element.edge);
+          ExprPtr value = edgeOfContact(i);
           if (element.negated) value = inverted(std::move(value));
           return both(std::move(flow), std::move(value));
         });
@@ -249,18 +285,47 @@ class DrawingToStatements {
     }
   }
 
-  /// A flow that several take is computed once, where the first of them needs it.
+  /// A flow that several take is computed once, where the first of them needs it; by the other reading for each of
+  /// them, which makes a difference where it reads what was written since.
   template <class Make>
   ExprPtr shared(int i, Make&& make) {
     std::string& kept = flows_[static_cast<std::size_t>(i)];
     const Span span = circuit_.element(i).span;
-    if (!kept.empty()) return pathOf({kept}, span);
+    if (!kept.empty() && !readsWritten(i)) return pathOf({kept}, span);
+    if (!kept.empty()) {
+      ExprPtr choice = callOf({"SEL"}, span);
+      addArgument(*choice, readingOf("iec-ld-flow", "per-coil", span));
+      addArgument(*choice, pathOf({kept}, span));
+      addArgument(*choice, make());
+      return choice;
+    }
     const bool isCoil = circuit_.element(i).kind == DrawnKind::Coil;
     ExprPtr value = make();
     if (circuit_.consumersOf(i).size() + (isCoil ? 1 : 0) < 2) return value;
     kept = hidden("flow", "BOOL", span);
     assign(i, pathOf({kept}, span), std::move(value));
     return pathOf({kept}, span);
+  }
+
+  /// Keeps what a result has written, if its circuit reads it as well.
+  void noteWritten(int i) {
+    const DrawnElement& e = circuit_.element(i);
+    std::set<std::string> names;
+    if (e.kind == DrawnKind::Coil || e.kind == DrawnKind::OutVariable || e.kind == DrawnKind::InOutVariable)
+      addNames(e.text, names);
+    for (const std::string& name : names) {
+      const InCircuit written{circuit_.circuitOf(i), name};
+      if (read_.contains(written)) written_.insert(written);
+    }
+  }
+  /// Whether the flow at an element reads a variable that a result of its circuit has written.
+  bool readsWritten(int i) const {
+    const auto first = written_.lower_bound({circuit_.circuitOf(i), std::string()});
+    if (first == written_.end() || first->first != circuit_.circuitOf(i)) return false;
+    const NamesUsed used = namesUsed(circuit_, i);
+    return std::ranges::any_of(used.read, [&](const std::string& name) {
+      return written_.contains({circuit_.circuitOf(i), name});
+    });
   }
 
   const DrawnPin* outputOf(const DrawnElement& element, const std::string& pin) const {
@@ -457,6 +522,9 @@ class DrawingToStatements {
   std::vector<std::string> flows_;
   std::set<InCircuit> contacts_;             ///< variables that contacts read
   std::map<InCircuit, std::string> before_;  ///< by variable that a coil has written: its value of before
+  std::set<InCircuit> read_;                 ///< by contacts and pins
+  std::set<InCircuit> written_;              ///< of these: by results so far
+  std::map<int, ExprPtr> edges_;             ///< by contact: its edge, once it was asked
   std::vector<int> circuits_;                ///< with statements
   std::vector<std::size_t> firsts_;          ///< parallel: the first statement of each
   int depth_ = 0;

@@ -315,9 +315,32 @@ const Variable& Lowering::runFunction(Scope& scope, BlockInstance& function, con
     const Variable& formal = declared->second;
     if (formal.type->isValue()) store(*formal.type, formal.offset);
   }
-  runBody(scope, function, inner, expr.span);
+  runWithInOuts(scope, function, inner, expr.span);
   readOutputs(scope, function, expr);
   return function.names.at(foldedName(function.block->name));
+}
+
+/// MIN(MAX(IN, MN), MX); by the other reading MN where IN is not above it, which is the same unless MN is above MX.
+void Lowering::limit(Scope& scope, const std::vector<const Expr*>& values, const Type& type,
+                     const std::function<void(std::string_view)>& extreme) {
+  const auto low = types_.constant(*values[0]), high = types_.constant(*values[2]);
+  const bool isOrdered = low && high && !low->isReal && !high->isReal && low->number <= high->number;
+  const auto clamp = [&] {
+    valueAs(scope, *values[1], type);
+    valueAs(scope, *values[0], type);
+    extreme("MAX");
+    valueAs(scope, *values[2], type);
+    extreme("MIN");
+  };
+  if (isOrdered) return clamp();
+  emit("READING", {static_cast<std::int64_t>(Choice::IecLimitCrossed), 1});
+  clamp();
+  valueAs(scope, *values[1], type);
+  valueAs(scope, *values[2], type);
+  extreme("MIN");
+  valueAs(scope, *values[0], type);
+  extreme("MAX");
+  emit("SEL", {type.width});
 }
 
 const Type* Lowering::standardCall(Scope& scope, const std::string& name, const Expr& expr, const Type* wanted) {
@@ -441,12 +464,8 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
         if (type->kind == Kind::Real) return emit(fmt::format("{}{}", op, type->isLong() ? ".LREAL" : ".REAL"));
         emit(op, {type->width, type->isSigned ? 1 : 0});
       };
-      if (row.call == FunctionKind::Limit) {  // MIN(MAX(IN, MN), MX)
-        valueAs(scope, *values[1], *type);
-        valueAs(scope, *values[0], *type);
-        extreme("MAX");
-        valueAs(scope, *values[2], *type);
-        extreme("MIN");
+      if (row.call == FunctionKind::Limit) {
+        limit(scope, values, *type, extreme);
         return type;
       }
       valueAs(scope, *values[0], *type);

@@ -24,8 +24,13 @@ FUNCTION_BLOCK SEMA
 VAR_INPUT CLAIM, RELEASE : BOOL; END_VAR
 VAR_OUTPUT BUSY : BOOL; END_VAR
 VAR X : BOOL; END_VAR
-X := CLAIM OR (X AND NOT RELEASE);
-BUSY := X;
+IF __READING('iec-sema', 'delayed') THEN
+  BUSY := X;
+  IF CLAIM THEN X := TRUE; ELSIF RELEASE THEN BUSY := FALSE; X := FALSE; END_IF;
+ELSE
+  X := CLAIM OR (X AND NOT RELEASE);
+  BUSY := X;
+END_IF;
 END_FUNCTION_BLOCK
 
 FUNCTION_BLOCK R_TRIG
@@ -39,9 +44,10 @@ END_FUNCTION_BLOCK
 FUNCTION_BLOCK F_TRIG
 VAR_INPUT CLK : BOOL; END_VAR
 VAR_OUTPUT Q : BOOL; END_VAR
-VAR M : BOOL; END_VAR
-Q := NOT CLK AND NOT M;
+VAR M : BOOL; KNOWN : BOOL; END_VAR
+Q := NOT CLK AND NOT M AND (KNOWN OR NOT __READING('iec-ftrig-first', 'none'));
 M := NOT CLK;
+KNOWN := TRUE;
 END_FUNCTION_BLOCK
 )";
 
@@ -80,8 +86,10 @@ ELSIF LD THEN CV := PV;
 ELSIF UP AND NOT DOWN AND (CV < PV OR __READING('iec-counter-limit', 'type-max') AND CV < {2}) THEN CV := CV + 1;
 ELSIF DOWN AND NOT UP AND (CV > 0 OR __READING('iec-ctd-limit', 'type-min') AND CV > {3}) THEN CV := CV - 1;
 END_IF;
-MU := CU;
-MD := CD;
+IF NOT (__READING('iec-ctud-edges', 'when-counting') AND (R OR LD)) THEN
+  MU := CU;
+  MD := CD;
+END_IF;
 QU := CV >= PV;
 QD := CV <= 0;
 END_FUNCTION_BLOCK
@@ -192,7 +200,9 @@ void addStandardBlocks(Program& program, ProjectSyntax& project) {
                              {"_INT", "INT", "32767", "-32768"},
                              {"_DINT", "DINT", "2147483647", "-2147483648"},
                              {"_UDINT", "UDINT", "4294967295", "0"},
-                             {"_UINT", "UINT", "65535", "0"}})
+                             {"_UINT", "UINT", "65535", "0"},
+                             {"_LINT", "LINT", "9223372036854775807", "-9223372036854775807 - 1"},
+                             {"_ULINT", "ULINT", "18446744073709551615", "0"}})
     text += fmt::format(fmt::runtime(counters), width.suffix, width.type, width.greatest, width.least);
   text += timers;
   text += steps;

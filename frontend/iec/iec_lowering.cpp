@@ -40,6 +40,7 @@ void Lowering::run() {
                     [&](const Statement& one, const Statements&, std::size_t) { eachExpression(one, asksEnabled); });
   }
   declareGlobals();
+  findSharedAddresses();
   makePrograms();
   program_.target = Target(static_cast<Cpu>(firstIecCpu), Edition::Iec);
   chooseMachine();
@@ -62,28 +63,6 @@ void Lowering::declareGlobals() {
     } catch (const Refused&) {
     }
   }
-}
-
-/// The place of an address; the same address is the same place. Nothing if it is none.
-std::optional<std::uint32_t> Lowering::located(const VariableSyntax& syntax, const Type& type) {
-  const std::string address = foldedName(syntax.address);
-  const bool isLegal = address.size() >= 3 && (address[1] == 'I' || address[1] == 'Q' || address[1] == 'M');
-  if (!isLegal) return std::nullopt;
-  const bool isIncomplete = address.find('*') != std::string::npos;
-  const bool hasSize =
-      address[2] == 'X' || address[2] == 'B' || address[2] == 'W' || address[2] == 'D' || address[2] == 'L';
-  const std::string key = isIncomplete ? fmt::format("{}{}", address, places_.size())
-                          : hasSize    ? address
-                                       : fmt::format("{}X{}", address.substr(0, 2), address.substr(2));
-  const auto [at, isNew] = places_.emplace(key, next_);
-  if (!isNew) return at->second;
-  at->second = allocate(type.bytes);
-  if (!isIncomplete) {
-    addressNames_.emplace_back(key.substr(1), at->second);
-    if (key[2] == 'X') addressNames_.emplace_back(key.substr(1, 1) + key.substr(3), at->second);
-  }
-  if (address[1] == 'I') freeVariable(type, at->second, syntax.span);
-  return at->second;
 }
 
 Variable Lowering::makeVariable(const VariableSyntax& syntax, const std::string& path) {
@@ -389,85 +368,6 @@ void Lowering::makeAction(BlockInstance& instance, const ActionSyntax& action) {
   openActions_.insert(&action);
   writeRoutine(std::move(pou), scope, action.body);
   openActions_.erase(&action);
-}
-
-/// A drawn circuit is a network. One that cannot be lowered as a whole falls apart, so that the rest of it is spared.
-/// Gives the first statement behind it.
-template <class Write>
-std::size_t Lowering::writeCircuit(Pou& pou, Scope& scope, const Statements& body, std::size_t first, Write&& write) {
-  std::size_t end = first, next = first;
-  while (end < body.size() && body[end].circuit == body[first].circuit) ++end;
-  const CircuitPicture* const picture = body[first].drawn.get();
-  const Span whole = picture != nullptr ? picture->span : body[first].span;
-  const std::size_t before = pou.networks.size();
-  shown_.clear();
-  isDrawn_ = picture != nullptr;
-  while (next < end) {
-    bool isRefused = false;
-    write(whole, [&] {
-      for (; next < end && !isRefused; ++next) {
-        const std::size_t own = network_->instructions.size();
-        span_ = body[next].span;
-        try {
-          statement(scope, body[next]);
-        } catch (const Refused&) {
-          network_->instructions.resize(own);
-          isRefused = true;
-        }
-      }
-    });
-    if (!isRefused) continue;
-    const Statement& lost = body[next - 1];
-    write(lost.span, [&] { throw Refused{}; });
-    pou.networks.back().mayWrite = writtenBy(scope, lost);
-  }
-  isDrawn_ = false;
-  if (pou.networks.size() == before) return end;
-  Network& made = pou.networks[before];
-  if (picture != nullptr) {
-    made.title = picture->title;
-    made.comments = picture->comments;
-  }
-  if (picture == nullptr || pou.networks.size() != before + 1 || !made.complete) return end;
-  network_ = &made;
-  place(*picture);
-  return end;
-}
-
-/// What stands in the drawing as that expression lies on the evaluation stack now.
-void Lowering::showValue(const Expr& expr) {
-  if (!isDrawn_) return;
-  const bool isPart = expr.kind == ExprKind::Path && expr.parts.size() > 1;
-  shown_.push_back({expr.span.offset, isPart ? foldedName(expr.parts.back().name) : std::string(), false,
-                    static_cast<std::uint32_t>(network_->instructions.size() - 1)});
-}
-
-/// The drawing of the circuit with the instructions at which its values are to be seen.
-void Lowering::place(const CircuitPicture& picture) {
-  if (picture.drawing.elements.empty()) return;
-  Drawing drawing = picture.drawing;
-  std::map<std::uint32_t, std::shared_ptr<BoxFace>> faces;
-  for (std::uint32_t i = 0; i < drawing.elements.size(); ++i) {
-    if (drawing.elements[i].face != nullptr) faces[i] = std::make_shared<BoxFace>(*drawing.elements[i].face);
-  }
-  using At = ShownValue::At;
-  for (const ShownValue& value : picture.values) {
-    std::uint32_t found = noInstruction;
-    for (const Shown& shown : shown_) {
-      const bool isMeant = shown.offset == value.offset && shown.isStored == (value.at == At::Stored) &&
-                           (value.at != At::Member || shown.member == value.member);
-      if (isMeant && (found == noInstruction || value.at != At::FirstRead)) found = shown.instruction;
-    }
-    if (value.part == ShownValue::Part::Whole) {
-      drawing.elements[value.element].instruction = found;
-    } else {
-      BoxFace& face = *faces.at(value.element);
-      (value.part == ShownValue::Part::Left ? face.left : face.right)[value.pin].instruction = found;
-    }
-  }
-  for (auto& [element, face] : faces) drawing.elements[element].face = std::move(face);
-  network_->form = picture.form;
-  network_->drawing = std::make_shared<const Drawing>(std::move(drawing));
 }
 
 /// Each statement is a network, so that what cannot be lowered spares the others.

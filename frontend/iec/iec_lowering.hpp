@@ -101,7 +101,6 @@ class Lowering {
   std::uint32_t allocate(std::uint32_t bytes);
   void initialize(const Type& type, std::uint32_t offset, const Initial* initial);
   void writeInitial(const Type& type, std::uint32_t offset, const Value& value);
-  std::optional<std::uint32_t> located(const VariableSyntax& syntax, const Type& type);
   void nameVariables();
   void nameOperands();
   void nameVariable(const std::string& name, const Variable& variable, const std::string& alias);
@@ -110,8 +109,13 @@ class Lowering {
   void makeRoutine(BlockInstance& instance);
   void makeAction(BlockInstance& instance, const ActionSyntax& action);
   void writeRoutine(Pou pou, Scope& scope, const Statements& body);
-  template <class Write>
-  std::size_t writeCircuit(Pou& pou, Scope& scope, const Statements& body, std::size_t first, Write&& write);
+  // iec_addresses.cpp
+  std::optional<std::uint32_t> located(const VariableSyntax& syntax, const Type& type);
+  void findSharedAddresses();
+  // iec_circuits.cpp
+  using NetworkWriter = std::function<void(Span, const std::function<void()>&)>;  ///< of a place, with what to write
+  std::size_t writeCircuit(Pou& pou, Scope& scope, const Statements& body, std::size_t first,
+                           const NetworkWriter& write);
   void showValue(const Expr& expr);
   void place(const CircuitPicture& picture);
   std::optional<Operands> writtenBy(Scope& scope, const Statement& one);
@@ -139,6 +143,7 @@ class Lowering {
   void makeMain();
   void callProgram(std::size_t number);
   void callTasks(const std::vector<std::size_t>& order);
+  void startPhases();
 
   // iec_emission.cpp
   void emit(std::string_view mnemonic, std::initializer_list<std::int64_t> numbers = {});
@@ -178,6 +183,10 @@ class Lowering {
   void callInstance(Scope& scope, BlockInstance& instance, const Expr& call);
   void bindInputs(Scope& scope, BlockInstance& instance, const Expr& call, Scope& inner);
   void readOutputs(Scope& scope, BlockInstance& instance, const Expr& call);
+
+  // iec_in_out.cpp
+  bool mayMeet(const Scope& inner) const;
+  void runWithInOuts(Scope& scope, BlockInstance& instance, Scope& inner, Span span);
   void runBody(Scope& scope, BlockInstance& instance, Scope& inner, Span span);
 
   // iec_enable.cpp
@@ -267,6 +276,8 @@ class Lowering {
   const Type* call(Scope& scope, const Expr& expr, const Type* wanted);
   const Type* resultOf(Scope& scope, const Expr& expr);
   const Type* standardResult(Scope& scope, const std::string& name, const Expr& expr);
+  void limit(Scope& scope, const std::vector<const Expr*>& values, const Type& type,
+             const std::function<void(std::string_view)>& extreme);
   const Type* standardCall(Scope& scope, const std::string& name, const Expr& expr, const Type* wanted);
   bool isStandard(const std::string& name) const;
   const Type* ownFunction(Scope& scope, BlockInstance& function, const Expr& expr);
@@ -298,6 +309,7 @@ class Lowering {
     bool isCyclic = false;
     std::uint32_t every = 1;    ///< scans from one run to the next
     std::uint32_t counter = 0;  ///< place of the scans since, where `every` is more than 1
+    std::uint32_t phase = 0;    ///< likewise: the place whose value says in which scan it runs first
   };
   std::vector<ProgramRun> runs_;  ///< parallel to programs_
   std::vector<BlockInstance*> programs_;
@@ -305,7 +317,9 @@ class Lowering {
   std::vector<std::pair<BlockInstance*, std::int64_t>> steps_;  ///< of charts, with VariableSyntax::longestClock
   std::set<const ActionSyntax*> openActions_;
   std::map<std::string, std::uint32_t> places_;  ///< by address in capitals
-  std::map<std::string, TextAt> literalTexts_;   ///< as written
+  std::set<std::string> sharedAddresses_;  ///< in capitals: other addresses name their bytes too on some controllers
+  std::set<std::uint32_t> shared_;         ///< their places
+  std::map<std::string, TextAt> literalTexts_;  ///< as written
   std::vector<std::pair<std::string, std::uint32_t>> addressNames_;
   struct Freed {
     std::uint32_t offset, bytes;

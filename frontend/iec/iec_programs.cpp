@@ -137,7 +137,15 @@ void Lowering::makePrograms() {
       if (task->single != nullptr) run.event = eventOf(*task);
       run.isCyclic = task->intervalMs.has_value();
       if (task->intervalMs) run.every = static_cast<std::uint32_t>(*task->intervalMs / *program_.taskMs);
-      if (run.every > 1) run.counter = allocate(4);
+      if (run.every > 1) {
+        run.counter = allocate(4);
+        run.phase = allocate(4);
+        const Type& number = *elementaryType("UDINT");
+        program_.symbols.push_back(
+            {instance->name + ".PHASE", direct(Area::V, widthOfBits(number.width), run.phase), "", instance->span});
+        program_.valueTypes[run.phase] = ValueType::Unsigned;
+        freeVariable(number, run.phase, instance->span);
+      }
     } else if (program_.taskMs) {
       run.priority = std::numeric_limits<std::int64_t>::max();  // without a task: in the background
     }
@@ -220,6 +228,30 @@ void Lowering::callProgram(std::size_t number) {
   if (mayWait) label(skip);
 }
 
+/// By the reading `any` a task of a longer interval may begin in any scan of it; its program's PHASE says in which.
+void Lowering::startPhases() {
+  if (std::ranges::none_of(runs_, [](const ProgramRun& run) { return run.every > 1; })) return;
+  const Type& counter = *elementaryType("UDINT");
+  const Type& boolean = *elementaryType("BOOL");
+  const std::uint32_t hasBegun = allocate(1);
+  const int end = newLabel();
+  load(boolean, hasBegun);
+  emit("NOT", {1});
+  emit("READING", {static_cast<std::int64_t>(Choice::IecPhase), 1});
+  emit("AND", {1});
+  jumpIfFalse(end);
+  for (const ProgramRun& run : runs_) {
+    if (run.every <= 1) continue;
+    load(counter, run.phase);
+    constant(run.every, 32);
+    emit("MOD", {32, 0});
+    store(counter, run.counter);
+  }
+  label(end);
+  constant(1, 1);
+  store(boolean, hasBegun);
+}
+
 void Lowering::callTasks(const std::vector<std::size_t>& order) {
   for (const std::size_t number : order) callProgram(number);
 }
@@ -259,6 +291,7 @@ void Lowering::makeMain() {
   std::vector<std::size_t> byPriority = declared;
   std::ranges::stable_sort(byPriority, {}, [&](std::size_t i) { return runs_[i].priority; });
   try {
+    startPhases();
     askEvents();
     if (byPriority == declared) {
       callTasks(declared);

@@ -429,7 +429,7 @@ void Lowering::callInstance(Scope& scope, BlockInstance& instance, const Expr& c
     callContract(scope, instance, call);
   } else {
     bindInputs(scope, instance, call, inner);
-    runBody(scope, instance, inner, call.span);
+    runWithInOuts(scope, instance, inner, call.span);
   }
   readOutputs(scope, instance, call);
   tell(true);
@@ -534,32 +534,6 @@ void Lowering::readOutputs(Scope& scope, BlockInstance& instance, const Expr& ca
     convertImplicitly(*source.type, target.valueType(), argument.span);
     writeReference(scope, target);
   }
-}
-
-void Lowering::runBody(Scope& scope, BlockInstance& instance, Scope& inner, Span span) {
-  instance.isCalled = true;
-  if (instance.isOpen) refuse(span, fmt::format("{} calls itself", instance.block->name));
-  if (!instance.hasInOut) {
-    if (instance.routine < 0) makeRoutine(instance);
-    return emit("CAL", {instance.routine});
-  }
-  if (++depth_ > 32) refuse(span, "calls are nested too deeply");
-  inner.caller = &scope;
-  inner.returnLabel = newLabel();
-  instance.isOpen = true;
-  try {
-    freshLocals(inner);
-    beginList(inner, instance.block->body);
-    statements(inner, instance.block->body);
-    endList(inner);
-  } catch (const Refused&) {
-    instance.isOpen = false;
-    --depth_;
-    throw;
-  }
-  instance.isOpen = false;
-  --depth_;
-  label(inner.returnLabel);
 }
 
 }  // namespace rungproof::iec

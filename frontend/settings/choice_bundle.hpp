@@ -36,7 +36,17 @@ inline constexpr ChosenValue compiledByMatiec[] = {{"iec-div-zero", "fault"},
                                                    {"iec-sfc-action-order", "declaration"},
                                                    {"iec-intermediate", "wide"},
                                                    {"iec-timer-preset", "live"},
-                                                   {"iec-for-bounds", "each-pass"}};
+                                                   {"iec-for-bounds", "each-pass"},
+                                                   {"iec-fbd-order", "execution-id"},
+                                                   {"iec-ld-flow", "per-coil"},
+                                                   {"iec-phase", "zero"},
+                                                   {"iec-address-unit", "distinct"},
+                                                   {"iec-ftrig-first", "edge"},
+                                                   {"iec-ctud-edges", "always"},
+                                                   {"iec-sema", "direct"},
+                                                   {"iec-limit-crossed", "lower"},
+                                                   {"iec-sfc-selection", "all-true"},
+                                                   {"iec-inout", "copy"}};
 inline constexpr ChosenValue codesys[] = {{"iec-div-zero", "fault"},
                                           {"iec-mod-zero", "fault"},
                                           {"iec-counter-limit", "preset"},
@@ -48,7 +58,11 @@ inline constexpr ChosenValue codesys[] = {{"iec-div-zero", "fault"},
                                           {"iec-sfc-initial-edge", "yes"},
                                           {"iec-sfc-final-scan", "yes"},
                                           {"iec-sfc-action-order", "alphabetical"},
-                                          {"iec-for-bounds", "each-pass"}};
+                                          {"iec-for-bounds", "each-pass"},
+                                          {"iec-ld-flow", "once"},
+                                          {"iec-ftrig-first", "edge"},
+                                          {"iec-sfc-selection", "one"},
+                                          {"iec-inout", "reference"}};
 }  // namespace bundle
 
 inline constexpr std::array<ChoiceBundle, 3> choiceBundles = {{{"iec", "openplc", bundle::compiledByMatiec},

@@ -6,6 +6,7 @@
 #include "frontend/stl/stl_writer.hpp"
 #include "ir/s7200/isa.hpp"
 #include "tests/equivalence/pair.hpp"
+#include "tests/graphical/plcopen_text.hpp"
 
 namespace rungproof::test {
 
@@ -33,10 +34,10 @@ TEST(Drawings, AreEqualToTheirStatementLists) {
   std::size_t drawnPrograms = 0, turned = 0;
   for (const auto& entry :
        std::filesystem::recursive_directory_iterator(std::filesystem::path(RUNGPROOF_SOURCE_DIR) / "corpus")) {
-    if (entry.path().extension() != ".xml") continue;
-    const Program drawn = readProgram({entry.path().string()});
+    if (entry.path().extension() != ".xml" || entry.path().parent_path().filename() != "plcopen") continue;
+    const Program drawn = readAsS7200(entry.path());
     const bool hasStl = dialectOf(drawn.target).set == dialect::S7200;
-    if (hasReadErrors(drawn) || !hasStl) continue;  // the faulty ones, and SimaticML
+    if (hasReadErrors(drawn) || !hasStl) continue;  // the faulty ones, and one with a body in ST
     Program written = readText("written.awl", writeStl(drawn));
     EquivalenceOptions options;
     options.prover.timeout = 20;

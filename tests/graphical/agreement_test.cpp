@@ -3,11 +3,7 @@
 // lowering cannot agree on the same mistake.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
-#include <sstream>
 
 #include "engine/simulator.hpp"
 #include "frontend/stl/stl_writer.hpp"
@@ -67,13 +63,7 @@ TEST(DrawingAgreement, CorpusDoesWhatItsStlDoes) {
   for (const auto& entry :
        std::filesystem::recursive_directory_iterator(std::filesystem::path(RUNGPROOF_SOURCE_DIR) / "corpus")) {
     if (entry.path().extension() != ".xml" || entry.path().parent_path().filename() != "plcopen") continue;
-    // The same drawings as programs of an S7-200: the heading says so.
-    std::ifstream file(entry.path());
-    std::string text((std::istreambuf_iterator<char>(file)), {});
-    const std::size_t name = text.find("productName=");
-    ASSERT_NE(name, std::string::npos) << entry.path();
-    text.insert(text.find('"', name) + 1, "S7-200 ");
-    const Program drawn = readText(entry.path().filename().string(), text);
+    const Program drawn = readAsS7200(entry.path());
     const bool hasStl = dialectOf(drawn.target).set == dialect::S7200;
     if (hasReadErrors(drawn) || !hasStl) continue;  // the faulty ones, and one with a body in ST
     const Program again = throughStl(drawn);

@@ -1,0 +1,172 @@
+// What controllers of IEC 61131-3 do differently: readings that proofs cover, and readings of one implementation that
+// are taken where they are asked for. Expected values are counted by hand.
+#include "tests/graphical/plcopen_text.hpp"
+#include "tests/iec/iec_output.hpp"
+
+namespace rungproof {
+namespace {
+
+struct Readings {
+  std::string choice, first, second;
+};
+
+IecOutput proofOf(const std::string& text, const std::string& name, const std::vector<std::string>& options) {
+  std::vector<std::string> arguments{"prove"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return runIec(arguments, text, name);
+}
+
+/// Verdicts on `p` without a choice, and with each of the readings.
+void expectEach(const std::string& text, const Readings& readings, const std::string& none, const std::string& first,
+                const std::string& second, const std::string& name = "main.st") {
+  const auto with = [&](const std::string& value) {
+    return proofOf(text, name, {"--choice", readings.choice + "=" + value});
+  };
+  const IecOutput all = proofOf(text, name, {});
+  EXPECT_TRUE(all.has(none + "  p")) << all.text;
+  EXPECT_TRUE(with(readings.first).has(first + "  p")) << readings.first << ": " << with(readings.first).text;
+  EXPECT_TRUE(with(readings.second).has(second + "  p")) << readings.second << ": " << with(readings.second).text;
+}
+
+std::string drawn(const std::vector<std::string>& variables, const std::string& language, const std::string& elements,
+                  const std::string& property) {
+  const std::string text = projectText(
+      pouText("Main", "program", "<localVars>" + declarations(variables) + "</localVars>", language, elements), "");
+  return text + "<!--\n//@ prove p: " + property + "\n-->\n";
+}
+
+// y := x is numbered first and stands below x := a: by the numbers y has the value of the scan before.
+TEST(VendorReadings, ResultsByNumberOrByPlace) {
+  const std::string body = inElement(1, "a", "", 10, 10) + outElement(2, {"1"}, "x", "executionOrderId=\"2\"", 90, 10) +
+                           inElement(3, "x", "", 10, 90) + outElement(4, {"3"}, "y", "executionOrderId=\"1\"", 90, 90);
+  const std::vector<std::string> variables = {"a:BOOL@%IX0.0", "x:BOOL", "y:BOOL@%QX0.0"};
+  const Readings readings{"iec-fbd-order", "execution-id", "position"};
+  expectEach(drawn(variables, "FBD", body, "y = a"), readings, "VIOLATED", "VIOLATED", "PROVED", "t.xml");
+  expectEach(drawn(variables, "FBD", body, "not first_scan implies y = prev(a)"), readings, "VIOLATED", "PROVED",
+             "VIOLATED", "t.xml");
+  // Numbers that change nothing are no reading.
+  const std::string apart = inElement(1, "a", "", 10, 10) +
+                            outElement(2, {"1"}, "x", "executionOrderId=\"2\"", 90, 10) +
+                            inElement(3, "a", "", 10, 90) + outElement(4, {"3"}, "y", "executionOrderId=\"1\"", 90, 90);
+  const IecOutput one = proofOf(drawn(variables, "FBD", apart, "y = a"), "t.xml", {});
+  EXPECT_TRUE(one.has("PROVED  p") && !one.has("iec-fbd-order")) << one.text;
+}
+
+// X -(S A)- -(R X)- -(S B)-: the third coil asks X again, or takes the flow that was.
+TEST(VendorReadings, ACoilMayAskTheContactsAgain) {
+  const std::string body =
+      railElement(1) + contactElement(2, {"1"}, "In", "", 10, 10) + coilElement(3, {"2"}, "X", "", 90, 10) +
+      contactElement(4, {"1"}, "X", "", 10, 90) + coilElement(5, {"4"}, "A", "storage=\"set\"", 50, 90) +
+      coilElement(6, {"5"}, "X", "storage=\"reset\"", 70, 90) + coilElement(7, {"6"}, "B", "storage=\"set\"", 90, 90);
+  const std::vector<std::string> variables = {"In:BOOL@%IX0.0", "X:BOOL", "A:BOOL@%QX0.0", "B:BOOL@%QX0.1"};
+  const Readings readings{"iec-ld-flow", "once", "per-coil"};
+  expectEach(drawn(variables, "LD", body, "In implies B"), readings, "VIOLATED", "PROVED", "VIOLATED", "t.xml");
+  expectEach(drawn(variables, "LD", body, "In implies A"), readings, "PROVED", "PROVED", "PROVED", "t.xml");
+  const IecOutput editor = proofOf(drawn(variables, "LD", body, "not B"), "t.xml", {"--choice", "iec=openplc"});
+  EXPECT_TRUE(editor.has("PROVED  p")) << editor.text;
+}
+
+constexpr const char* twoTasks =
+    "PROGRAM Fast\nVAR n : UINT; END_VAR\nIF n < 3 THEN n := n + 1; END_IF;\nEND_PROGRAM\n"
+    "PROGRAM Slow\nVAR n : UINT; END_VAR\nIF n < 3 THEN n := n + 1; END_IF;\nEND_PROGRAM\n"
+    "CONFIGURATION c\nRESOURCE r ON PLC\nTASK t1(INTERVAL := T#10ms, PRIORITY := 0);\n"
+    "TASK t2(INTERVAL := T#20ms, PRIORITY := 1);\nPROGRAM One WITH t1 : Fast;\nPROGRAM Two WITH t2 : Slow;\n"
+    "END_RESOURCE\nEND_CONFIGURATION\n";
+
+// The task of 20 ms runs in every second scan of 10 ms: from the first on, or from the second.
+TEST(VendorReadings, ATaskMayBeginInAnyScanOfItsInterval) {
+  const Readings readings{"iec-phase", "zero", "any"};
+  const auto text = [&](const std::string& property) { return "//@ prove p: " + property + "\n" + twoTasks; };
+  expectEach(text("first_scan implies Two.n = 1"), readings, "VIOLATED", "PROVED", "VIOLATED");
+  expectEach(text("One.n = 2 implies Two.n = 1"), readings, "PROVED", "PROVED", "PROVED");
+  expectEach(text("first_scan implies One.n = 1"), readings, "PROVED", "PROVED", "PROVED");
+}
+
+TEST(VendorReadings, AddressesThatMayMeetAreNamed) {
+  const std::string text =
+      "//@ prove p: w = 5\nPROGRAM M\nVAR w AT %MW1 : INT; b AT %MB2 : USINT; END_VAR\nw := 5;\nb := 7;\nEND_PROGRAM\n";
+  const IecOutput meeting = proofOfIec(text);
+  EXPECT_TRUE(meeting.has("PROVED  p") && meeting.has("iec-address-unit")) << meeting.text;
+  const IecOutput apart = proofOfIec(
+      "//@ prove p: w = 5\nPROGRAM M\nVAR w AT %MW1 : INT; b AT %MB9 : USINT; END_VAR\nw := 5;\nb := "
+      "7;\nEND_PROGRAM\n");
+  EXPECT_TRUE(apart.has("PROVED  p") && !apart.has("iec-address-unit")) << apart.text;
+}
+
+TEST(VendorReadings, AFallingEdgeInTheFirstCall) {
+  const std::string text =
+      "//@ prove p: first_scan and not x implies q\nPROGRAM M\nVAR x AT %IX0.0 : BOOL; q : BOOL; f : F_TRIG; END_VAR\n"
+      "f(CLK := x);\nq := f.Q;\nEND_PROGRAM\n";
+  expectEach(text, {"iec-ftrig-first", "edge", "none"}, "PROVED", "PROVED", "VIOLATED");
+}
+
+// CU rises in the scan of R. Where edges are kept meanwhile, it counts in the next scan, with CU still TRUE.
+TEST(VendorReadings, EdgesWhileACounterIsReset) {
+  const std::string text =
+      "//@ prove p: not first_scan and prev(r) and not r and prev(u) implies c.CV = 0\nPROGRAM M\n"
+      "VAR u AT %IX0.0 : BOOL; r AT %IX0.1 : BOOL; c : CTUD; END_VAR\n"
+      "c(CU := u, CD := FALSE, R := r, LD := FALSE, PV := 5);\nEND_PROGRAM\n";
+  expectEach(text, {"iec-ctud-edges", "always", "when-counting"}, "PROVED", "PROVED", "VIOLATED");
+}
+
+TEST(VendorReadings, ASemaphoreTellsAtOnceOrInTheNextCall) {
+  const std::string text =
+      "//@ prove p: x implies s.BUSY\nPROGRAM M\nVAR x AT %IX0.0 : BOOL; y AT %IX0.1 : BOOL; s : SEMA; END_VAR\n"
+      "s(CLAIM := x, RELEASE := y);\nEND_PROGRAM\n";
+  expectEach(text, {"iec-sema", "direct", "delayed"}, "PROVED", "PROVED", "VIOLATED");
+}
+
+// MIN(MAX(0, 10), 5) is 5; 0 is not above MN, which gives MN.
+TEST(VendorReadings, CrossedLimits) {
+  const std::string text =
+      "//@ prove p: l = 5\nPROGRAM M\nVAR l, mn, mx : INT; END_VAR\nmn := 10;\nmx := 5;\nl := LIMIT(mn, 0, "
+      "mx);\nEND_PROGRAM\n";
+  expectEach(text, {"iec-limit-crossed", "min-of-max", "lower"}, "PROVED", "PROVED", "VIOLATED");
+  const std::string ten = "//@ prove p: l = 10\n" + text.substr(text.find('\n') + 1);
+  const IecOutput editor = proofOfIec(ten, {"--choice", "iec=openplc"});
+  EXPECT_TRUE(editor.has("PROVED  p")) << editor.text;
+  // With MN <= MX both readings agree for every IN.
+  const std::string ordered =
+      "//@ prove p: (i < -7 implies l = -7) and (i > 9 implies l = 9) and (i >= -7 and i <= 9 implies l = i)\n"
+      "PROGRAM M\nVAR i AT %IW1 : INT; l, mn, mx : INT; END_VAR\nmn := -7;\nmx := 9;\nl := LIMIT(mn, i, "
+      "mx);\nEND_PROGRAM\n";
+  expectEach(ordered, {"iec-limit-crossed", "min-of-max", "lower"}, "PROVED", "PROVED", "PROVED");
+}
+
+// Two transitions behind S0, both TRUE: one fires, or both.
+TEST(VendorReadings, SelectionsThatAreTrueTogether) {
+  const std::string chart =
+      "PROGRAM M\nVAR x AT %IX0.0 : BOOL; y AT %IX0.1 : BOOL; END_VAR\nINITIAL_STEP S0:\nEND_STEP\nSTEP A:\nEND_STEP\n"
+      "STEP B:\nEND_STEP\nTRANSITION FROM S0 TO A := x; END_TRANSITION\nTRANSITION FROM S0 TO B := y; "
+      "END_TRANSITION\nTRANSITION FROM A TO S0 := FALSE; END_TRANSITION\nTRANSITION FROM B TO S0 := FALSE; "
+      "END_TRANSITION\nEND_PROGRAM\n";
+  expectEach("//@ prove p: never A.X and B.X\n" + chart, {"iec-sfc-selection", "one", "all-true"}, "PROVED", "PROVED",
+             "VIOLATED");
+  // With priorities one fires in either reading.
+  std::string ranked = chart;
+  for (const std::string name : {"A := x", "B := y"}) {
+    const std::size_t at = ranked.find("TRANSITION FROM S0 TO " + name);
+    ranked.insert(at + 10, name[0] == 'A' ? " (PRIORITY := 1)" : " (PRIORITY := 2)");
+  }
+  expectEach("//@ prove p: never A.X and B.X\n" + ranked, {"iec-sfc-selection", "one", "all-true"}, "PROVED", "PROVED",
+             "PROVED");
+}
+
+// a and b are both v = 1: 1 + 1 = 2, then 2 * 2 = 4 on the variable itself; by copies a = 2, b = 2, and b comes last.
+TEST(VendorReadings, TwoInOutOfOneVariable) {
+  const std::string text =
+      "FUNCTION_BLOCK F\nVAR_IN_OUT a, b : INT; END_VAR\na := a + 1;\nb := b * 2;\nEND_FUNCTION_BLOCK\n"
+      "PROGRAM M\nVAR v : INT; f1 : F; END_VAR\nv := 1;\nf1(a := v, b := v);\nEND_PROGRAM\n";
+  const Readings readings{"iec-inout", "reference", "copy"};
+  expectEach("//@ prove p: v = 4\n" + text, readings, "PROVED", "PROVED", "VIOLATED");
+  expectEach("//@ prove p: v = 2\n" + text, readings, "VIOLATED", "VIOLATED", "PROVED");
+  // One that the body knows as a global variable too: the copy is written back behind what the body wrote.
+  const std::string global =
+      "//@ prove p: g = 7\nFUNCTION_BLOCK F\nVAR_EXTERNAL g : INT; END_VAR\nVAR_IN_OUT a : INT; END_VAR\ng := 7;\n"
+      "END_FUNCTION_BLOCK\nPROGRAM M\nVAR_EXTERNAL g : INT; END_VAR\nVAR f1 : F; END_VAR\ng := 1;\nf1(a := "
+      "g);\nEND_PROGRAM\nCONFIGURATION c\nVAR_GLOBAL g : INT; END_VAR\nPROGRAM m1 : M;\nEND_CONFIGURATION\n";
+  expectEach(global, readings, "PROVED", "PROVED", "VIOLATED");
+}
+
+}  // namespace
+}  // namespace rungproof
