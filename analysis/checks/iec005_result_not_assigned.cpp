@@ -80,15 +80,25 @@ class ResultPaths {
 void checkIec005(const Facts& facts, FindingSink& sink) {
   const iec::VariableUses& uses = facts.variableUses();
   iec::eachOwnBlock(uses.project(), [&](const iec::BlockSyntax& block) {
-    if (block.kind != iec::BlockKind::Function || block.result == nullptr || iec::isList(block.body)) return;
-    ResultPaths paths(block.name);
-    const std::optional<bool> end = paths.list(block.body, false);
-    if (end.value_or(true) && paths.leftAt() == nullptr) return;
-    Finding& finding =
-        sink.report(block.span, fmt::format("function {} does not give its result on every path", block.name));
-    finding.address = block.name;
-    if (paths.leftAt() != nullptr) finding.related.push_back({paths.leftAt()->span, "the function can be left here"});
-    finding.help = fmt::format("begin with '{} := ...;'", block.name);
+    if (block.kind != iec::BlockKind::Function || iec::isList(block.body)) return;
+    const auto check = [&](const std::string& name, Span place, std::string message) {
+      ResultPaths paths(name);
+      const std::optional<bool> end = paths.list(block.body, false);
+      if (end.value_or(true) && paths.leftAt() == nullptr) return;
+      Finding& finding = sink.report(place, std::move(message));
+      finding.address = name;
+      if (paths.leftAt() != nullptr) finding.related.push_back({paths.leftAt()->span, "the function can be left here"});
+      finding.help = fmt::format("begin with '{} := ...;'", name);
+    };
+    if (block.result != nullptr)
+      check(block.name, block.span, fmt::format("function {} does not give its result on every path", block.name));
+    for (const iec::VariableSyntax& variable : block.variables) {
+      const iec::DeclaredVariable* row = uses.find(block, variable.name);
+      const bool isOutput = variable.section == iec::Section::Output && variable.initial == nullptr;
+      if (isOutput && row != nullptr && row->isWritten())
+        check(variable.name, variable.span,
+              fmt::format("function {} does not write its output {} on every path", block.name, variable.name));
+    }
   });
   for (const iec::DeclaredVariable& row : uses.all()) {
     const bool isOutput = row.block != nullptr && row.variable->section == iec::Section::Output;
@@ -107,7 +117,8 @@ extern constexpr Rule iec005_result_not_assigned = {
     .title = "Result or output not written",
     .severity = Severity::Warning,
     .needs = Needs::Flow,
-    .detects = "a function that can end without giving its result; an output that no statement writes",
+    .detects =
+        "a function that can end without giving its result or one of its outputs; an output that no statement writes",
     .why = "the caller gets the initial value of the type, mostly 0, and takes it for a result",
     .bad =
         "PROGRAM Main\nVAR_INPUT x : INT; END_VAR\nVAR_OUTPUT y : INT; END_VAR\ny := Half(x);\nEND_PROGRAM\nFUNCTION "

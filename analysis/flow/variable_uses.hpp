@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -66,10 +67,15 @@ class VariableUses {
  private:
   class Walk;
   using Key = std::pair<const BlockSyntax*, std::string>;
+  struct KeyHash {
+    std::size_t operator()(const Key& key) const {
+      return std::hash<std::string>()(key.second) ^ std::hash<const BlockSyntax*>()(key.first);
+    }
+  };
 
   const ProjectSyntax& project_;
   std::vector<DeclaredVariable> rows_;
-  std::map<Key, std::size_t> byName_;
+  std::unordered_map<Key, std::size_t, KeyHash> byName_;
   std::map<std::string, const BlockSyntax*> blocks_;
   std::map<std::string, const NamedType*> types_;
 };

@@ -240,7 +240,10 @@ void Lowering::callContract(Scope& scope, BlockInstance& instance, const Expr& c
     }
     for (std::uint32_t i = 0; i < type.bytes; ++i) noteWritten(offset + i);
   };
-  for (const auto& [name, variable] : instance.names) leaveAny(*variable.type, variable.offset);
+  for (const VariableSyntax& declared : instance.block->variables) {
+    const auto variable = instance.names.find(foldedName(declared.name));
+    if (variable != instance.names.end()) leaveAny(*variable->second.type, variable->second.offset);
+  }
   for (const Argument& argument : call.arguments) {
     if (argument.isOutput || argument.value->kind != ExprKind::Path || foldedName(argument.name) == "EN") continue;
     const Reference given = reference(scope, *argument.value, true);

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <set>
+#include <unordered_map>
 
 #include "frontend/iec/iec_types.hpp"
 #include "ir/check.hpp"
@@ -29,7 +30,7 @@ struct Variable {
 struct BlockInstance {
   const BlockSyntax* block = nullptr;
   std::string path;  ///< "MAIN.T1"
-  std::map<std::string, Variable> names;
+  std::unordered_map<std::string, Variable> names;  ///< in capitals
   int routine = -1;     ///< number of its subroutine; -1: not made
   bool isOpen = false;  ///< its body is being made
   bool hasInOut = false;

@@ -131,7 +131,19 @@ TEST(IecRules, ResultNotAssigned) {
        {"in all of CASE", 0, function("CASE x OF 1: F := 1; ELSE F := 2; END_CASE;")},
        {"REPEAT runs once at least", 0, function("REPEAT F := y; y := y + 1; UNTIL y > x END_REPEAT;")},
        {"RETURN behind it", 0, function("F := 1; IF x > 0 THEN RETURN; END_IF; F := 2;")},
-       {"the other branch has left", 0, function("IF x > 0 THEN F := 1; RETURN; END_IF; F := 3;")}});
+       {"the other branch has left", 0, function("IF x > 0 THEN F := 1; RETURN; END_IF; F := 3;")},
+       {"an output in one branch", 1,
+        main61131("n : INT;", "n := 1; q := n > 0; r := a;") +
+            "FUNCTION F : INT\nVAR_INPUT x : INT; END_VAR\nVAR_OUTPUT o : INT; END_VAR\nF := x;\n"
+            "IF x > 0 THEN o := 1; END_IF;\nEND_FUNCTION\n"},
+       {"an output in both branches", 0,
+        main61131("n : INT;", "n := 1; q := n > 0; r := a;") +
+            "FUNCTION F : INT\nVAR_INPUT x : INT; END_VAR\nVAR_OUTPUT o : INT; END_VAR\nF := x;\n"
+            "IF x > 0 THEN o := 1; ELSE o := 2; END_IF;\nEND_FUNCTION\n"},
+       {"an output of a block keeps its value", 0,
+        main61131("n : INT;", "n := 1; q := n > 0; r := a;") +
+            "FUNCTION_BLOCK B\nVAR_INPUT x : INT; END_VAR\nVAR_OUTPUT o : INT; END_VAR\nIF x > 0 THEN o := 1; "
+            "END_IF;\nEND_FUNCTION_BLOCK\n"}});
 }
 
 TEST(IecRules, ValueOverwritten) {
@@ -347,6 +359,35 @@ TEST(IecRules, NeverRuns) {
        {"EXIT at the end of a branch", 0,
         main61131("i : INT;", "FOR i := 1 TO 3 DO IF a THEN q := b; EXIT; END_IF; END_FOR;")},
        {"CASE", 0, main61131("n : INT;", "n := 1; CASE n OF 1: q := a; ELSE q := b; END_CASE;")}});
+}
+
+// No input changes within a scan: a loop ends by what it writes itself.
+TEST(IecRules, LoopsThatDoNotEnd) {
+  expectIecFindings(
+      "IEC020",
+      {{"WHILE on an input", 1, main61131("n : INT;", "WHILE NOT a DO n := n + 1; END_WHILE; q := n > 3;")},
+       {"REPEAT on an input", 1, main61131("n : INT;", "REPEAT n := n + 1; UNTIL a END_REPEAT; q := n > 3;")},
+       {"for ever", 1, main61131("n : INT;", "WHILE TRUE DO n := n + 1; END_WHILE; q := n > 3;")},
+       {"REPEAT for ever", 1, main61131("n : INT;", "REPEAT n := n + 1; UNTIL FALSE END_REPEAT; q := n > 3;")},
+       {"EXIT of an inner loop", 1,
+        main61131("n : INT;", "WHILE NOT a DO WHILE TRUE DO n := n + 1; EXIT; END_WHILE; END_WHILE; q := n > 3;")},
+       {"a step of 0", 1, main61131("i, n : INT;", "FOR i := 1 TO 5 BY 0 DO n := n + i; END_FOR; q := n > 3;")},
+       {"the greatest number", 1,
+        main61131("i : USINT; n : INT;", "FOR i := 0 TO 255 DO n := n + 1; END_FOR; q := n > 3;")},
+       {"it counts", 0, main61131("n : INT;", "WHILE n < 5 DO n := n + 1; END_WHILE; q := n > 3;")},
+       {"EXIT", 0,
+        main61131("n : INT;", "WHILE TRUE DO n := n + 1; IF n > 5 THEN EXIT; END_IF; END_WHILE; q := n > 3;")},
+       {"RETURN", 0,
+        main61131("n : INT;", "WHILE NOT a DO n := n + 1; IF n > 5 THEN RETURN; END_IF; END_WHILE; q := n > 3;")},
+       {"never", 0, main61131("n : INT;", "WHILE FALSE DO n := n + 1; END_WHILE; q := n > 3;")},
+       {"once", 0, main61131("n : INT;", "REPEAT n := n + 1; UNTIL TRUE END_REPEAT; q := n > 3;")},
+       {"one below the greatest", 0,
+        main61131("i : USINT; n : INT;", "FOR i := 0 TO 254 DO n := n + 1; END_FOR; q := n > 3;")},
+       {"an instance that is called", 0,
+        main61131("f : R_TRIG; n : INT;",
+                  "WHILE NOT f.Q AND n < 9 DO f(CLK := TRUE); n := n + 1; END_WHILE; q := n > 3;")},
+       {"an element", 0,
+        main61131("x : ARRAY[1..3] OF INT;", "WHILE x[1] < 5 DO x[1] := x[1] + 1; END_WHILE; q := x[1] > 3;")}});
 }
 
 TEST(IecRules, LoopCounterWritten) {
