@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <set>
+#include <unordered_map>
 
 #include "analysis/proof/written_places.hpp"
 #include "analysis/unread/influence.hpp"
@@ -59,12 +60,14 @@ Tie tieOf(StatementRole role) {
   }
 }
 
-class UseWalk {
+}  // namespace
+
+class NetworksBehind::Walk {
  public:
-  UseWalk(const Facts& facts, const EncodedScan& encoding, const std::unordered_set<std::uint32_t>& variables)
+  Walk(const Facts& facts, const EncodedScan& encoding)
       : facts_(facts), writes_(facts), isStep7_(isStep7(facts.target())) {
     for (const Cell& cell : encoding.cells()) {
-      if (cell.kind == CellKind::State && variables.contains(indexOf(cell.start))) kept_.push_back(cell.place);
+      if (cell.kind == CellKind::State) stateOf_.emplace(indexOf(cell.start), cell.place);
     }
     for (const InstructionPlace& place : facts.instructions()) {
       if (parts_.empty() || parts_.back().block != place.block || parts_.back().network != place.network)
@@ -72,11 +75,17 @@ class UseWalk {
       parts_.back().instructions.push_back(place.instruction->id);
       partOf_.push_back(parts_.size() - 1);
       const Tie tie = tieOf(statementRole(*place.instruction));
-      if (tie != Tie::None) ties_.insert({place.block, tie, parts_.size() - 1});
+      if (tie != Tie::None) ties_.insert({place.block, static_cast<std::uint8_t>(tie), parts_.size() - 1});
     }
   }
 
-  std::vector<NetworkName> run(const Operands& read) {
+  std::vector<NetworkName> run(const Operands& read, const std::unordered_set<std::uint32_t>& variables) {
+    kept_.clear();
+    inherited_.clear();
+    for (const std::uint32_t variable : variables) {
+      const auto state = stateOf_.find(variable);
+      if (state != stateOf_.end()) kept_.push_back(state->second);
+    }
     for (const Operand& operand : read) {
       Access access;
       access.area = operand.area;
@@ -90,11 +99,15 @@ class UseWalk {
       open_.pop_back();
       enter(part);
     }
+    std::ranges::sort(seen_);
     std::vector<NetworkName> names;
-    for (const Part& part : parts_) {
+    for (const std::size_t at : seen_) {
+      Part& part = parts_[at];
+      part.isSeen = false;
       const Pou& pou = facts_.program().pous[part.block];
-      if (part.isSeen) names.emplace_back(pou.name, pou.networks[part.network].number);
+      names.emplace_back(pou.name, pou.networks[part.network].number);
     }
+    seen_.clear();
     return names;
   }
 
@@ -110,6 +123,7 @@ class UseWalk {
   void addPart(std::size_t part) {
     if (parts_[part].isSeen) return;
     parts_[part].isSeen = true;
+    seen_.push_back(part);
     open_.push_back(part);
   }
   void add(std::uint32_t instruction) { addPart(partOf_[instruction]); }
@@ -177,7 +191,8 @@ class UseWalk {
     }
   }
   void addTied(std::uint32_t block, Tie tie) {
-    for (auto i = ties_.lower_bound({block, tie, 0}); i != ties_.end() && i->block == block && i->tie == tie; ++i)
+    const auto kind = static_cast<std::uint8_t>(tie);
+    for (auto i = ties_.lower_bound({block, kind, 0}); i != ties_.end() && i->block == block && i->tie == kind; ++i)
       addPart(i->part);
     // A block that opens no data block works in that of its caller, which its calls stand for.
     if (tie != Tie::OpenBlock || !inherited_.insert(block).second) return;
@@ -216,7 +231,7 @@ class UseWalk {
   /// A network of a block that hands something on in registers.
   struct Tied {
     std::uint32_t block;
-    Tie tie;
+    std::uint8_t tie;  ///< Tie
     std::size_t part;
     friend auto operator<=>(const Tied&, const Tied&) = default;
   };
@@ -224,7 +239,9 @@ class UseWalk {
   const Facts& facts_;
   const WrittenPlaces writes_;
   bool isStep7_;
+  std::unordered_map<std::uint32_t, Place> stateOf_;  ///< by node index of its start
   std::vector<Place> kept_;
+  std::vector<std::size_t> seen_;    ///< parts, by the question at hand
   std::vector<Part> parts_;          ///< in program order
   std::vector<std::size_t> partOf_;  ///< by Instruction::id
   std::set<Tied> ties_;
@@ -232,11 +249,12 @@ class UseWalk {
   std::vector<std::size_t> open_;
 };
 
-}  // namespace
+NetworksBehind::NetworksBehind(const Facts& facts, const EncodedScan& encoding)
+    : walk_(std::make_unique<Walk>(facts, encoding)) {}
+NetworksBehind::~NetworksBehind() = default;
 
-std::vector<NetworkName> networksBehind(const Facts& facts, const EncodedScan& encoding, const Operands& read,
-                                        const std::unordered_set<std::uint32_t>& variables) {
-  return UseWalk(facts, encoding, variables).run(read);
+std::vector<NetworkName> NetworksBehind::of(const Operands& read, const std::unordered_set<std::uint32_t>& variables) {
+  return walk_->run(read, variables);
 }
 
 std::string networkList(const std::vector<NetworkName>& networks) {

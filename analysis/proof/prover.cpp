@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numeric>
 #include <set>
+#include <unordered_map>
 
 #include "analysis/asking/asked_goals.hpp"
 #include "analysis/proof/proof_networks.hpp"
@@ -298,17 +299,18 @@ class Session {
     } else {
       variables = search_.exact().variablesOf(question);
     }
-    return networksBehind(*facts_, search_.exact().askedProperties().encoding(), read, variables);
+    if (!networks_) networks_ = std::make_unique<NetworksBehind>(*facts_, search_.exact().askedProperties().encoding());
+    return networks_->of(read, variables);
   }
 
   /// A routine that is attached but whose events the encoding does not know leaves every proof open.
   void guardInterrupts(ProofResult& row) {
     if (row.outcome != Outcome::Proved && row.outcome != Outcome::Unreachable) return;
-    const std::optional<std::string> reason = unfollowedRoutine(program_, search_.exact().askedProperties().encoding());
-    if (!reason) return;
+    if (!unfollowed_) unfollowed_ = unfollowedRoutine(program_, search_.exact().askedProperties().encoding());
+    if (!*unfollowed_) return;
     row.outcome = Outcome::NotCovered;
     row.certificate.clear();
-    row.notes.push_back(*reason);
+    row.notes.push_back(**unfollowed_);
   }
 
   void unconfirmed(std::size_t question, const QuestionAnswer& answer, ProofResult& row, ProofRun& run) {
@@ -359,8 +361,12 @@ class Session {
   /// A property whose premise can never be met, or assumptions that no run meets, prove nothing.
   void checkVacuity(ProofResult& row) {
     if (row.builtin) return;
+    if (goalOf_.empty()) {
+      for (std::size_t i = 0; i < goals().size(); ++i) goalOf_.emplace(goals()[i].name, i);
+    }
     const auto goalNamed = [&](const std::string& name) {
-      return static_cast<std::size_t>(std::ranges::find(goals(), name, &Property::name) - goals().begin());
+      const auto known = goalOf_.find(name);
+      return known == goalOf_.end() ? goals().size() : known->second;
     };
     const std::size_t some = goalNamed(someRun().name), premise = goalNamed(row.property.name + " (premise)");
     if (some < goals().size() && search_.quick(some).answer == Answer::Proved) {
@@ -393,9 +399,12 @@ class Session {
   const Clock::time_point begin_ = Clock::now();
   QuestionSearch search_;
   std::unique_ptr<Facts> facts_;
-  std::unique_ptr<QuestionSystem> open_;  ///< the program under all readings, those of fixed choices too
+  std::unique_ptr<NetworksBehind> networks_;
+  std::unordered_map<std::string, std::size_t> goalOf_;  ///< the first of each name
+  std::unique_ptr<QuestionSystem> open_;                 ///< the program under all readings, those of fixed choices too
   std::optional<bool> hasAnyValues_;
-  std::set<const Approximation*> noted_;  ///< what some result rests on
+  std::optional<std::optional<std::string>> unfollowed_;  ///< of an attached routine, once it was asked
+  std::set<const Approximation*> noted_;                  ///< what some result rests on
 };
 
 }  // namespace

@@ -13,18 +13,6 @@
 
 namespace rungproof {
 
-/// The addresses of a property that nothing writes, in the order of its text, each once.
-Operands untouchedBy(const Facts& facts, const PropertySet& set, const Property& property);
-
-/// The question whether a property holds for any program: the same assumptions over a program without instructions, in
-/// which everything that the property names and that is written has any value in any scan.
-struct AnyProgram {
-  Program program;
-  PropertySet set;
-};
-/// Nothing if a written address of the property cannot be given any value (timers, counters, accumulators).
-std::optional<AnyProgram> anyProgramFor(const Facts& facts, const PropertySet& set, const Property& property);
-
 /// Says which addresses of a property nothing writes. What holds for any program, as `ask` finds, holds vacuously.
 /// `broken` takes the rows at which an error of ours comes.
 void noteUntouched(

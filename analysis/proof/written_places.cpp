@@ -117,6 +117,17 @@ bool WrittenPlaces::mayMeet(const Access& read, const Access& write) const {
   return read.area != Area::DB || mayMeetInData(read, write);
 }
 
+const std::vector<std::uint32_t>& WrittenPlaces::writesAt(std::uint32_t cell) const {
+  const auto [known, isNew] = writesAt_.try_emplace(cell);
+  if (isNew) {
+    for (const std::uint32_t at : facts_.index().at(cell)) {
+      const Access& access = facts_.access(at);
+      if (access.write || access.maybe || access.isBox) known->second.push_back(at);
+    }
+  }
+  return known->second;
+}
+
 bool WrittenPlaces::overlap(const Access& a, const Access& b) {
   return a.area == b.area && firstBitOfAccess(a) < firstBitOfAccess(b) + bitsOfAccess(b) &&
          firstBitOfAccess(b) < firstBitOfAccess(a) + bitsOfAccess(a);

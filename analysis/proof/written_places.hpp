@@ -3,6 +3,7 @@
 // blocks share a byte only where one is a multi-instance in the other. Covered by tests/prover/networks_test.cpp.
 #pragma once
 
+#include <unordered_map>
 #include <vector>
 
 #include "analysis/flow/facts.hpp"
@@ -34,6 +35,8 @@ class WrittenPlaces {
   bool mayMeet(const Access& read, const Access& write) const;
   bool mayBeReached(Area area) const { return isStep7_ ? !addressedByNumber(area) : mayBePointedTo(area); }
   static bool overlap(const Access& a, const Access& b);
+  /// The accesses of a cell that write; many may only read it.
+  const std::vector<std::uint32_t>& writesAt(std::uint32_t cell) const;
 
   const Facts& facts_;
   bool isStep7_;
@@ -41,6 +44,7 @@ class WrittenPlaces {
   std::vector<std::vector<bool>> nested_;  ///< by block, by block: has it as a multi-instance, at any depth
   std::vector<std::uint32_t> pointed_;     ///< writes through pointers
   std::vector<std::uint32_t> long_;        ///< writes that the lists of the cells do not show
+  mutable std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> writesAt_;  ///< by cell that was asked for
 };
 
 template <class Take>
@@ -58,9 +62,8 @@ void WrittenPlaces::eachWriter(const Access& read, std::uint32_t block, Take&& t
   for (std::uint32_t i = 0; i < std::max<std::uint32_t>(read.possibleLength(), 1); ++i) {
     const std::uint32_t cell = index.cells().cell(read.area, read.offset + i, block);
     if (cell >= index.cells().size()) continue;
-    for (const std::uint32_t at : index.at(cell)) {
-      const Access& access = facts_.access(at);
-      if ((access.write || access.maybe || access.isBox) && overlap(read, access)) take(access);
+    for (const std::uint32_t at : writesAt(cell)) {
+      if (overlap(read, facts_.access(at))) take(facts_.access(at));
     }
   }
   for (const std::uint32_t i : long_) {

@@ -72,8 +72,10 @@ class ExploredProgram {
     std::vector<ReplayScan> scans;
     for (const RunStep& step : way) scans.push_back(scanOf(step));
     const auto start = engine_ == 0 ? std::nullopt : std::optional(starts_[engine_]);
-    for (const std::size_t goal : shown_)
-      found_[goal] = Judge(program_, choices_, assumptions_, goals_[goal]).witness(scans, start);
+    std::vector<const Property*> shown;
+    for (const std::size_t goal : shown_) shown.push_back(&goals_[goal]);
+    auto witnesses = witnessesOf(program_, choices_, assumptions_, shown, scans, start);
+    for (std::size_t i = 0; i < shown_.size(); ++i) found_[shown_[i]] = std::move(witnesses[i]);
     shown_.clear();
   }
 

@@ -128,6 +128,49 @@ std::optional<Witness> Judge::witness(std::vector<ReplayScan> scans, std::option
   return Witness{std::move(scans), {}, std::move(initial), outcome.scan, outcome.milliseconds, outcome.place};
 }
 
+std::vector<std::optional<Witness>> witnessesOf(const Program& program, const Choices& choices,
+                                                const std::vector<Property>& assumptions,
+                                                const std::vector<const Property*>& goals,
+                                                const std::vector<ReplayScan>& scans,
+                                                const std::optional<Concrete::Store>& initial) {
+  std::vector<std::optional<Witness>> found(goals.size());
+  NoOutside outside;
+  Concrete domain(outside);
+  std::vector<Follower> followers, assumed;
+  std::vector<std::size_t> open;
+  for (std::size_t g = 0; g < goals.size(); ++g) {
+    followers.emplace_back(*goals[g]);
+    if (goals[g]->atEveryInstruction)
+      found[g] = Judge(program, choices, assumptions, *goals[g]).witness(scans, initial);
+    else
+      open.push_back(g);
+  }
+  for (const Property& assumption : assumptions) assumed.emplace_back(assumption);
+  std::size_t step = ~std::size_t{0};
+  std::uint32_t round = 0;
+  std::uint64_t scan = 0, milliseconds = 0;
+  if (open.empty()) return found;
+  replay(program, choices, scans, initial ? &*initial : nullptr, [&](const Concrete::Store& state, std::size_t at) {
+    round = at == step ? round + 1 : 0;
+    step = at;
+    const bool isFirst = scan++ == 0;
+    milliseconds += scans[at].lengthMs;
+    if (!hasScanEnd(state)) return true;
+    for (Follower& assumption : assumed) {
+      if (!assumption.evaluate(domain, state, scans[at], isFirst)) return false;
+    }
+    std::erase_if(open, [&](std::size_t g) {
+      if (!followers[g].evaluate(domain, state, scans[at], isFirst)) return false;
+      std::vector<ReplayScan> shown(scans.begin(), scans.begin() + static_cast<std::ptrdiff_t>(at) + 1);
+      shown.back().repeats = round + 1;
+      found[g] = Witness{std::move(shown), {}, initial, scan, milliseconds, nullptr};
+      return true;
+    });
+    return !open.empty();
+  });
+  return found;
+}
+
 namespace {
 
 void setInitial(ScanRun& run, const TransitionSystem& system, const WordTrace& trace) {

@@ -61,6 +61,13 @@ class Judge {
   const Property& goal_;
 };
 
+/// Of each goal the same as Judge::witness gives, in one run for all of them.
+std::vector<std::optional<Witness>> witnessesOf(const Program& program, const Choices& choices,
+                                                const std::vector<Property>& assumptions,
+                                                const std::vector<const Property*>& goals,
+                                                const std::vector<ReplayScan>& scans,
+                                                const std::optional<Concrete::Store>& initial);
+
 /// Turns a word-level run of an encoding into scans of the engine. Scans longer than the range become several.
 std::vector<ReplayScan> scansOf(EncodedScan& encoding, const TransitionSystem& system, const WordTrace& trace,
                                 const TimeRange& range);

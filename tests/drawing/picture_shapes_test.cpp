@@ -20,6 +20,7 @@ TEST(PictureShapes, SayOfTheCorpusWhatDrawingEachNetworkSays) {
   std::size_t networks = 0, drawn = 0, shapes = 0;
   for (const std::filesystem::path& file : test::corpusFiles()) {
     const Program program = test::corpusInput(file).program;
+    if (program.syntax != nullptr) continue;  // its drawings stand in the file
     PictureShapes own(program.target);
     for (const Pou& pou : program.pous) {
       for (const Network& network : pou.networks) {

@@ -102,6 +102,31 @@ TEST(PropertyPace, TwoHundredPropertiesCostLittleMoreThanOne) {
   EXPECT_LE(all.cpuSeconds, mostGrowth * one.cpuSeconds);
 }
 
+/// So many networks, each with a property of its own; or with properties of addresses that nobody writes.
+std::string networksOfTheirOwn(int count, bool areWritten) {
+  std::string asked, networks;
+  for (int i = 0; i < count; ++i) {
+    const std::string input = families::bitOf("I", i % 64), own = families::bitOf("V", i);
+    networks += "Network " + std::to_string(i + 1) + "\nLD " + input + "\n= " + own + "\n";
+    asked += "//@ prove p" + std::to_string(i) + ": " +
+             (areWritten ? own + " implies " + input : "not " + families::bitOf("V", 40'000 + i)) + "\n";
+  }
+  return families::programOf(asked, networks);
+}
+
+// Each question costs what its own networks cost: ten times as many cost ten times as much.
+TEST(PropertyPace, TenTimesThePropertiesCostTenTimesTheTime) {
+  constexpr double mostGrowth = 13;
+  for (const bool areWritten : {true, false}) {
+    const MeasuredProof few = measureProof(networksOfTheirOwn(500, areWritten), {}, 5);
+    const MeasuredProof many = measureProof(networksOfTheirOwn(5000, areWritten), {}, 2);
+    EXPECT_EQ(many.verdicts.size(), 5000U);
+    std::printf("%.3f s for 500, %.3f s for 5,000: x%.1f of x%.0f\n", few.cpuSeconds, many.cpuSeconds,
+                many.cpuSeconds / few.cpuSeconds, mostGrowth);
+    EXPECT_LE(many.cpuSeconds, mostGrowth * few.cpuSeconds);
+  }
+}
+
 // Most of it is what `prove` takes as well, then some thirty questions that run into their limits.
 TEST(PropertyPace, LintProveOverTheCorpus) {
   constexpr double most = 45;  // CPU seconds; 21 to 26 were measured, 35 where others have the caches
