@@ -32,14 +32,8 @@ const std::map<std::string, RuleAddresses>& explainedFindings() {
       // The stop only interrupts the step, whose bit stays.
       {"filling_same_scan.awl", {"SAF006 Q0.3"}},
       {"reversing_faulty.awl", {"SAF003 ", "SAF004 "}},
-      // Variables of PLCopen programs and data blocks lie in V memory, which is retentive; counters are too.
-      {"batch_counter.xml", {"SAF005 Q0.0"}},
-      {"conveyor.xml", {"SAF005 Q0.0", "SAF005 Q0.1"}},
-      {"door.xml", {"SAF005 Q0.0", "SAF005 Q0.1"}},
-      {"fans.xml", {"SAF005 Q0.2"}},
-      {"lubrication.xml", {"SAF005 Q0.0", "SAF005 Q0.1"}},
-      // The edge of the demand comes in the first scan and passes the lead on.
-      {"pump_alternation.xml", {"SAF005 Q0.1"}},
+      // Variables of IEC 61131-3 without RETAIN are not kept while the power is off: no row for plcopen/. Data blocks
+      // are.
       {"parcel_counter.xml", {"SAF005 Q0.0", "SAF005 Q0.1"}},
       // SimaticML is of an S7-300/400, which keeps data blocks and M0 to M15 while the power is off: running timers,
       // edges and faults. Q0.1 and Q0.3 of the valves are one finding.
