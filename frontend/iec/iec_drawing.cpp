@@ -51,6 +51,7 @@ class DrawingToStatements {
       k = end;
     }
     placeNotes();
+    dropUnused();
   }
 
  private:
@@ -75,6 +76,23 @@ class DrawingToStatements {
     both.circuit = static_cast<int>(block_.body.size()) + 1;
     both.drawn = pictureOf(circuit_, stated, form_, isInstance);
     block_.body.push_back(std::move(both));
+  }
+
+  /// Values of before that no contact took.
+  void dropUnused() {
+    std::set<std::string> unused;
+    for (const auto& [variable, name] : before_) {
+      if (!isTaken_.contains(name)) unused.insert(name);
+    }
+    const auto isUnused = [&](const Statement& one) {
+      return one.kind == StatementKind::Assign && one.target->parts.size() == 1 &&
+             unused.contains(one.target->parts[0].name);
+    };
+    for (std::size_t k = 0; k + 1 < block_.body.size(); ++k) {
+      Statement &one = block_.body[k], &next = block_.body[k + 1];
+      if (isUnused(one) && one.drawn != nullptr) next.drawn = std::move(one.drawn);
+    }
+    std::erase_if(block_.body, isUnused);
   }
 
   /// The statements from `first` on are those of one circuit.
@@ -131,6 +149,7 @@ class DrawingToStatements {
     addArgument(*choice, readingOf("iec-network-feedback", "snapshot", element.span));
     addArgument(*choice, parsed(element.text, element.span));
     addArgument(*choice, pathOf({kept->second}, element.span));
+    isTaken_.insert(kept->second);
     return choice;
   }
 
@@ -527,6 +546,7 @@ class DrawingToStatements {
   std::map<int, ExprPtr> edges_;             ///< by contact: its edge, once it was asked
   std::vector<int> circuits_;                ///< with statements
   std::vector<std::size_t> firsts_;          ///< parallel: the first statement of each
+  std::set<std::string> isTaken_;            ///< of before_
   int depth_ = 0;
   bool isWriting_ = false;
 };

@@ -13,6 +13,7 @@
 #include "frontend/step7/source_writer.hpp"
 #include "frontend/stl/stl_writer.hpp"
 #include "frontend/text/excerpt.hpp"
+#include "ir/iec/statement_text.hpp"
 #include "ir/s7300/declarations.hpp"
 
 namespace rungproof {
@@ -111,8 +112,9 @@ std::vector<std::string> statementLines(const Program& program, const Network& n
   return lines;
 }
 
-/// The text of a statement of IEC 61131-3, as far to the left as it can stand.
+/// The text of a statement of IEC 61131-3, as far to the left as it can stand; of a drawing what it says as such text.
 std::vector<std::string> sourceLines(const Program& program, const Network& network) {
+  if (network.drawing != nullptr) return iec::linesOfCircuit(*program.syntax, network.span);
   std::vector<std::string> lines;
   std::string_view text = program.sources->text(network.span);
   while (!text.empty()) {

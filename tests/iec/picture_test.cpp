@@ -74,6 +74,14 @@ TEST(IecPictures, ALadderAsFbdHasGates) {
   for (const std::string part : {"OR", "AND", "Stop"}) EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
+TEST(IecPictures, ALadderAsListIsStructuredText) {
+  const Program program = drawnProgram(starterVariables, "LD", starter);
+  const Pou& main = pouNamed(program, "Main");
+  EXPECT_EQ(textOf(linesOf(program, main.networks[0], Form::Stl)), "  Motor := (Start OR Motor) AND NOT Stop;\n");
+  EXPECT_EQ(textOf(linesOf(program, main.networks[1], Form::Stl)),
+            "  Wait(IN := Motor, PT := T#1s);\n  IF Wait.Q THEN\n    Lamp := TRUE;\n  END_IF;\n");
+}
+
 /// A circuit in which one statement cannot be lowered falls apart: the other coil is still there.
 TEST(IecPictures, OneLostStatementSparesTheOthersOfItsCircuit) {
   const std::string body = railElement(1) + contactElement(2, {"1"}, "Start", "", 10, 10) +
