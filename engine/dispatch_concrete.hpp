@@ -8,6 +8,6 @@ namespace rungproof {
 
 /// The function for this instruction: contacts and coils with a direct address have a form of their meaning that is
 /// compiled for their area, all others the general one. nullptr for control instructions (ir/s7200/scan.hpp).
-Execute<Concrete> executionOf(const Instruction& instruction, bool isIec);
+Execute<Concrete> executionOf(const Instruction& instruction, StatementForm form);
 
 }  // namespace rungproof

@@ -88,7 +88,7 @@ void checkOnDelays(const Facts& facts, FindingSink& sink) {
 }
 
 void checkTim008(const Facts& facts, FindingSink& sink) {
-  if (facts.plan().isStep7()) return checkOnDelays(facts, sink);
+  if (facts.form() == StatementForm::Accumulators) return checkOnDelays(facts, sink);
   checkTimerBoxes(facts, sink);
 }
 

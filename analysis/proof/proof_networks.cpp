@@ -62,7 +62,7 @@ Tie tieOf(StatementRole role) {
 class UseWalk {
  public:
   UseWalk(const Facts& facts, const EncodedScan& encoding, const std::unordered_set<std::uint32_t>& variables)
-      : facts_(facts), writes_(facts), isStep7_(isStep7(facts.target())) {
+      : facts_(facts), writes_(facts), hasDataBlocks_(facts.dialect().memory.hasDataBlocks) {
     for (const Cell& cell : encoding.cells()) {
       if (cell.kind == CellKind::State && variables.contains(indexOf(cell.start))) kept_.push_back(cell.place);
     }
@@ -141,12 +141,12 @@ class UseWalk {
     const auto isGiven = [&](const Access& access) {
       if (!access.write) return false;
       if (access.viaPointer && access.pointed == Pointed::OfCall) return true;
-      const bool isOwn = isStep7_ ? hasInstance(pou) && access.viaPointer && access.area == Area::DB
-                                  : !access.viaPointer && access.area == Area::L;
+      const bool isOwn = hasDataBlocks_ ? hasInstance(pou) && access.viaPointer && access.area == Area::DB
+                                        : !access.viaPointer && access.area == Area::L;
       return isOwn && std::ranges::any_of(pou.locals, [&](const LocalVariable& local) {
                const bool isBack = local.section == VarSection::Output || local.section == VarSection::InOut;
                const std::uint32_t size = std::max<std::uint32_t>(
-                   isStep7_ ? local.size : static_cast<std::uint32_t>(bytes(widthOf(local.type))), 1);
+                   hasDataBlocks_ ? local.size : static_cast<std::uint32_t>(bytes(widthOf(local.type))), 1);
                return isBack && access.offset < local.address.offset + size &&
                       local.address.offset < access.offset + std::max<std::uint32_t>(access.possibleLength(), 1);
              });
@@ -164,7 +164,7 @@ class UseWalk {
     const Part& part = parts_[at];
     const bool hasOneBefore = at > 0 && parts_[at - 1].block == part.block;
     if (hasOneBefore && takesFromBelow(facts_, part.instructions)) addPart(at - 1);
-    if (!isStep7_) return;
+    if (facts_.form() != StatementForm::Accumulators) return;
     if (hasOneBefore && !beginsAnew(statementRole(facts_.instruction(part.instructions.front())))) addPart(at - 1);
     addTied(part.block, Tie::Relay);
     for (const std::uint32_t id : part.instructions) {
@@ -223,7 +223,7 @@ class UseWalk {
 
   const Facts& facts_;
   const WrittenPlaces writes_;
-  bool isStep7_;
+  bool hasDataBlocks_;
   std::vector<Place> kept_;
   std::vector<Part> parts_;          ///< in program order
   std::vector<std::size_t> partOf_;  ///< by Instruction::id

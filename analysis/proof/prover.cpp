@@ -590,8 +590,10 @@ ProofRun prove(const Program& program, const PropertySet& set, const ProverOptio
   const Facts facts(program, set.externals);
   PropertySet open = set;
   std::ranges::move(externalsOfCalls(facts), std::back_inserter(open.externals));
-  std::optional<UnreadCode> unread;  // of a caller that does not look for it
-  if (options.unread == nullptr && !isStep7(program.target)) options.unread = &unread.emplace(program, options.choices);
+  // Of a caller that does not look for it. What is left out among rungs is bounded; accumulators hand it on.
+  std::optional<UnreadCode> unread;
+  if (options.unread == nullptr && formOf(program.target) != StatementForm::Accumulators)
+    options.unread = &unread.emplace(program, options.choices);
   ProofRun run = proveAll(program, open, options, progress);
   std::ranges::move(assumptionsOfCalls(facts), std::back_inserter(run.assumptions));
   return run;

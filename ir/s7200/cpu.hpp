@@ -48,6 +48,7 @@ struct CpuFeatures {
   int interruptNesting = 1;            ///< subroutine levels below an interrupt routine (001:5444)
   NumberSet counters = numbers(0, 5);  ///< high-speed counters (001:4166)
   NumberSet events = numbers(0, 33);   ///< interrupt events (001:5366)
+  NumberSet unlistedEvents = 0;        ///< that stand in no list, and are refused in none
 };
 
 /// What stands on the CPU itself (001:552-560, 001:11612-11622). Behind it the S7-200 numbers modules without holes in
@@ -109,7 +110,8 @@ constexpr CpuFeatures smartFeatures(int ports, int pulseOutputs, int pidLoops, b
           .stackLevels = 32,
           .interruptNesting = 4,
           .counters = counters,
-          .events = events};
+          .events = events,
+          .unlistedEvents = numbers(14, 15) | numbers(39, 42)};
 }
 /// Without signal board, pulse outputs, second port and the counters 4 and 5.
 inline constexpr CpuFeatures compact =
@@ -180,6 +182,10 @@ constexpr CpuSet cpusWith(Condition condition) {
   return set;
 }
 inline constexpr CpuSet smartCpus = cpusWith([](const CpuRow& row) { return row.series == Series::Smart; });
+/// The CPUs of the same series.
+constexpr CpuSet seriesOf(Cpu cpu) {
+  return cpusWith([series = cpuRow(cpu).series](const CpuRow& row) { return row.series == series; });
+}
 /// Place of facts on the S7-200 SMART: its manual has no line numbers here.
 inline constexpr std::string_view smartManual = "S7-200 SMART system manual";
 inline constexpr CpuSet s7200Cpus = cpusWith([](const CpuRow& row) { return row.series == Series::S7200; });

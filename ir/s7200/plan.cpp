@@ -36,28 +36,33 @@ Plan::Plan(const Program& source, const std::vector<bool>& isLeftOut)
     : program(&source),
       blocks(std::make_shared<const BlockMap>(source)),
       localBytes(rungproof::localBytes),
-      isStep7_(rungproof::isStep7(source.target)) {
+      dialect_(&dialectOf(source.target)),
+      form_(dialect_->form) {
   edge.assign(source.instructionCount(), noPartner);
   for (const Pou& pou : source.pous) {
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) number(instruction);
     }
     flows.push_back(flowOf(pou, isLeftOut));
-    if (isStep7_ || isIec()) continue;
-    for (const FlowStep& step : flows.back().steps) {
-      const Instruction& instruction = *step.instruction;
-      const bool isTimer = instruction.desc->operandCount > 0 && instruction.desc->operands[0].type == Type::Timer;
-      if (!isTimer || instruction.operands.empty()) continue;
-      const TimerUse use{instruction.operands[0].offset, instruction.desc,
-                         timerResolution(static_cast<int>(instruction.operands[0].offset)),
-                         timerKind(*instruction.desc), timer(instruction.operands[0].offset) == nullptr};
-      const bool isKnown = std::any_of(timers.begin(), timers.end(),
-                                       [&](const TimerUse& t) { return t.number == use.number && t.desc == use.desc; });
-      if (!isKnown) timers.push_back(use);
-    }
+    if (counting() == Counting::Boxes) addBoxTimers(flows.back());
   }
-  for (std::uint32_t timer = 0; timer < attachedTimers && !isStep7_ && !isIec(); ++timer) timedEvents.push_back(timer);
-  if (isStep7_) planStep7();
+  for (std::uint32_t timer = 0; timer < attachedTimers && counting() == Counting::Boxes; ++timer)
+    timedEvents.push_back(timer);
+  if (dialect_->run.startsBlocks) planBlocks();
+}
+
+void Plan::addBoxTimers(const Flow& flow) {
+  for (const FlowStep& step : flow.steps) {
+    const Instruction& instruction = *step.instruction;
+    const bool isTimer = instruction.desc->operandCount > 0 && instruction.desc->operands[0].type == Type::Timer;
+    if (!isTimer || instruction.operands.empty()) continue;
+    const TimerUse use{instruction.operands[0].offset, instruction.desc,
+                       timerResolution(static_cast<int>(instruction.operands[0].offset)), timerKind(*instruction.desc),
+                       timer(instruction.operands[0].offset) == nullptr};
+    const bool isKnown = std::any_of(timers.begin(), timers.end(),
+                                     [&](const TimerUse& t) { return t.number == use.number && t.desc == use.desc; });
+    if (!isKnown) timers.push_back(use);
+  }
 }
 
 void Plan::number(const Instruction& instruction) {
@@ -122,7 +127,8 @@ std::uint32_t localsFrom(const Plan& plan, const Flow& flow, int levels,
 
 }  // namespace
 
-void Plan::planStep7() {
+/// S7-300/400.
+void Plan::planBlocks() {
   const Step7CpuRow& cpu = step7Row(program->target.cpu);
   for (std::size_t i = 0; i < flows.size(); ++i) {
     if (s7300::mayStart(*program, *flows[i].pou)) codeBlocks_.emplace(flows[i].pou->number, i);
@@ -173,9 +179,9 @@ std::uint32_t registerCount(const RegInfo& info, const Plan& plan) {
     case perEdge: return plan.edgeCount;
     case perTimer: return plan.timerCount;
     case perCounter: return plan.counterCount;
-    case perS5Timer: return plan.isStep7() ? plan.timerCount : 0;
-    case perS7Counter: return plan.isStep7() ? plan.counterCount : 0;
-    case perCyclicBlock: return plan.isStep7() ? cyclicBlockCount : 0;
+    case perS5Timer: return plan.counting() == Counting::Elements ? plan.timerCount : 0;
+    case perS7Counter: return plan.counting() == Counting::Elements ? plan.counterCount : 0;
+    case perCyclicBlock: return plan.dialect().run.startsBlocks ? cyclicBlockCount : 0;
     default: return info.count;
   }
 }

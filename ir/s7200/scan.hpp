@@ -28,16 +28,16 @@ class Scan : private FlowWalk<Scan<D, Hooks>, Machine<D>, Hooks> {
 
   Scan(Machine<D>& machine, Hooks& hooks, int loopLimit = 256, std::size_t stepLimit = ~std::size_t{0})
       : Base(machine, hooks, loopLimit, stepLimit),
-        dispatch_(machine.plan.isStep7() ? step7DispatchTable<D>()
-                  : machine.plan.isIec() ? iecDispatchTable<D>()
-                                         : dispatchTable<D>()) {}
+        dispatch_(machine.plan.form() == StatementForm::Accumulators  ? step7DispatchTable<D>()
+                  : machine.plan.form() == StatementForm::Expressions ? iecDispatchTable<D>()
+                                                                      : dispatchTable<D>()) {}
 
   Machine<D>& machine() { return m_; }
 
   /// Runs the main program once. The stack at its start is not stated (Choice::MainStack).
   void program() {
-    if (m_.plan.isStep7()) return step7Program();
-    if (m_.plan.isIec()) return iecProgram();
+    if (m_.plan.form() == StatementForm::Accumulators) return step7Program();
+    if (m_.plan.form() == StatementForm::Expressions) return iecProgram();
     const Flow* main = m_.plan.main();
     if (main == nullptr) return;
     m_.frame = 0;
@@ -53,7 +53,7 @@ class Scan : private FlowWalk<Scan<D, Hooks>, Machine<D>, Hooks> {
   /// Runs interrupt routine `number` where `condition` holds: stack, accumulators, SM1 and ENO are saved around it
   /// (001:5430). Its stack starts as Choice::InterruptStack says.
   void interrupt(int number, Bool condition) {
-    if (m_.plan.isStep7()) return interruptBlock(number, condition);
+    if (m_.plan.form() == StatementForm::Accumulators) return interruptBlock(number, condition);
     const Flow* routine = m_.plan.interrupt(number);
     if (routine == nullptr) return;
     m_.when(condition, [&] {
@@ -106,9 +106,9 @@ class Scan : private FlowWalk<Scan<D, Hooks>, Machine<D>, Hooks> {
   /// Runs one step; walk() has set the machine's `current`.
   void execute(Walk& w, std::uint32_t at) {
     const FlowStep& step = w.flow.steps[at];
-    if (m_.plan.isStep7() && step.instruction->desc->control != Control::None) {
+    if (m_.plan.form() == StatementForm::Accumulators && step.instruction->desc->control != Control::None) {
       step7Control(w, at);
-    } else if (m_.plan.isIec() && step.instruction->desc->control != Control::None) {
+    } else if (m_.plan.form() == StatementForm::Expressions && step.instruction->desc->control != Control::None) {
       iecControl(w, at);
     } else if constexpr (requires { hooks_.entry(step); }) {
       if (const Execute<D> run = hooks_.entry(step); run != nullptr) {
@@ -121,7 +121,7 @@ class Scan : private FlowWalk<Scan<D, Hooks>, Machine<D>, Hooks> {
     } else {
       control(w, at);
     }
-    if (m_.plan.isStep7()) serveError();
+    if (m_.plan.form() == StatementForm::Accumulators) serveError();
   }
   void control(Walk& w, std::uint32_t at);
   void call(const Instruction& instruction);

@@ -57,7 +57,7 @@ void passScanOfIec(Machine<D>& m, typename D::Bits ms) {
 /// memory.
 template <class D>
 void beginScanOfTimers(Machine<D>& m) {
-  if (!m.plan.isStep7()) return;
+  if (m.plan.counting() != Counting::Elements) return;
   m.passedMs = m.number(0, restBits);
   const bool hasClock = m.plan.program->clockMemory.has_value();
   const auto isSynchronous = m.reads({Choice::S5Time, "synchronous"});
@@ -86,7 +86,7 @@ void passTimers(Machine<D>& m, typename D::Bits ticks, IsAsked&& isAsked) {
 /// The same at the end of a scan of `ms` (width restBits), whatever has ended the program: the scan goes on behind it.
 template <class D>
 void endScanOfTimers(Machine<D>& m, typename D::Bits ms) {
-  if (!m.plan.isStep7()) return;
+  if (m.plan.counting() != Counting::Elements) return;
   const auto guard = m.guard;
   for (const TimerUse& use : m.plan.timers) {
     passScanOfS5(m, use.number, ms);
@@ -99,7 +99,7 @@ void endScanOfTimers(Machine<D>& m, typename D::Bits ms) {
 /// 1 ms timers at instruction boundaries. reached(use, condition) is called for each timer of an S7-200.
 template <class D, class Reached>
 void refreshTimers(Machine<D>& m, int resolution, typename D::Bits ticks, Reached&& reached) {
-  if (m.plan.isStep7()) {
+  if (m.plan.counting() == Counting::Elements) {
     if (resolution != 1) return;
     m.passedMs = m.d.add(m.passedMs, m.d.zext(ticks, 16, restBits), restBits);
     passTimers(m, ticks, [](std::uint32_t) { return true; });

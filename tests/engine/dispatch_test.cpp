@@ -22,7 +22,7 @@ struct GeneralForms {
   void freshLocal(auto&, unsigned, std::uint32_t) {}
 };
 struct ChosenForms : GeneralForms {
-  Execute<Concrete> entry(const FlowStep& step) { return executionOf(*step.instruction, false); }
+  Execute<Concrete> entry(const FlowStep& step) { return executionOf(*step.instruction, StatementForm::Rungs); }
 };
 
 template <class Hooks>
@@ -79,7 +79,7 @@ TEST(Dispatch, ControlInstructionsHaveNoFunction) {
   Instruction jump;
   jump.desc = s7200Instructions().named("JMP");
   jump.operands.push_back(constant(1));
-  EXPECT_EQ(executionOf(jump, false), nullptr);
+  EXPECT_EQ(executionOf(jump, StatementForm::Rungs), nullptr);
 }
 
 }  // namespace

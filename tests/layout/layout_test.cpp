@@ -299,6 +299,51 @@ TEST(Layout, OnlyReadersAndPrintersKnowHowInstructionsAreSpelt) {
   EXPECT_GT(knowing, 20u) << "the search no longer finds the readers";
 }
 
+/// The part of a line that compares a family by its name instead of asking it (ir/family.hpp), or nothing.
+std::string familyAsked(const std::string& line) {
+  static const std::regex named(
+      "\\b(is|has|are|of)(Of)?(Step7|S7200|S7300|S7400|Iec)(Old|New)?_?\\b|"  // questions, flags filled by them
+      "\\b(s7200|s7300|s7400|iec)Dialect\\b|\\bfirst(Step7|Iec)Cpu\\b|\\bEdition::(Step7|Iec)\\b|"
+      "(==|!=|&) *dialect::|\\bdialect::\\w+\\)* *(==|!=|&)|"
+      "(==|!=) *\"(s7-[234]00|iec|S7-[234]00|IEC 61131-3)\"|dynamic_cast<const (Step7|Iec)");
+  std::smatch match;
+  return std::regex_search(line, match, named) ? match.str() : "";
+}
+
+/// The families themselves, their list, and who reads or prints the text of one of them.
+bool mayNameFamilies(const Source& source) {
+  static const std::set<std::string> rooms = {
+      "ir/s7200",     "ir/s7200/isa",     "ir/s7300",       "ir/s7300/isa",      "ir/iec",
+      "ir/iec/isa",   "frontend/reader",  "frontend/step7", "frontend/input",    "frontend/iec",
+      "frontend/stl", "frontend/explain", "frontend/mc7",   "frontend/s7project"};
+  const std::string file = source.path.filename().string();
+  return rooms.contains(source.folder) || (source.folder == "ir" && file == "dialect.cpp") ||
+         (source.folder == "frontend/command" && file == "explain.cpp");
+}
+
+TEST(Layout, NobodyComparesAFamilyByItsName) {
+  for (const char* line : {"  if (isStep7(program.target)) return;", "if (plan.isIec()) return;", "bool isStep7_;",
+                           "const bool isOfIec = x;", "if (&dialectOf(cpu) == &s7300Dialect)",
+                           "if ((set & dialect::S7200) == 0)", "if (rule.dialects != dialect::Iec)",
+                           "return dialect.name == \"s7-300\";", "cpu >= firstStep7Cpu", "const bool isStep7New = x;"})
+    EXPECT_NE(familyAsked(line), "") << line;
+  for (const char* line : {"if (facts.form() == StatementForm::Rungs) return;", "    .dialects = dialect::S7200,",
+                           "if (before.set == after.set) return true;", "const bool isTimer = isIecTimer(block);"})
+    EXPECT_EQ(familyAsked(line), "") << line;
+  std::size_t naming = 0;
+  for (const Source& source : sources()) {
+    std::istringstream in(source.text);
+    for (std::string line; std::getline(in, line);) {
+      const std::string asked = line.find_first_not_of(' ') == line.find("//") ? "" : familyAsked(line);
+      if (mayNameFamilies(source))
+        naming += asked.empty() ? 0 : 1;
+      else
+        EXPECT_EQ(asked, "") << source.path << ": " << line;
+    }
+  }
+  EXPECT_GT(naming, 10u) << "the search no longer finds the families";
+}
+
 /// Who reads a file, a comment or a baseline tells what is wrong with it on the spot, under the id of a rule that has
 /// its page in analysis/checks.
 bool mayTell(const Source& source, std::string_view id) {
