@@ -5,9 +5,7 @@
 
 #include <array>
 
-#include "ir/iec/isa_list.hpp"
-#include "ir/s7300/isa_list.hpp"
-#include "ir/s7300/system_block.hpp"
+#include "ir/families/instructions.hpp"
 
 namespace rungproof {
 

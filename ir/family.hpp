@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ir/address_limit.hpp"
+#include "ir/cpu_features.hpp"
 #include "ir/hazard.hpp"
 #include "ir/retentive_range.hpp"
 #include "ir/target.hpp"
@@ -42,7 +44,10 @@ struct MemoryModel {
   bool numbersArePointers;  ///< any number can be used as an address; otherwise addresses come from & only
   bool pointersMayMiss;     ///< behind a pointer may be a module that does not answer or a block that is read only
   int numberBits;           ///< longest numbers that instructions compute with
-  Area analogInputs;        ///< whose words are the values at the analog inputs
+  bool (*samplesAtRead)(const Target&);  ///< each read of an analog input finds a new value; otherwise the CPU filters
+  Area analogInputs;                     ///< whose words are the values at the analog inputs
+  std::optional<AddressLimit> (*addressLimit)(const Target&, Area, Width);
+  bool (*addressExists)(const Target&, Area, Width, std::uint32_t offset, unsigned bit);
   /// What keeps its value where the project says nothing.
   std::vector<RetentiveRange> (*usuallyRetentive)(const Target&);
   /// What of the program keeps its value, where the CPU is set to keep these ranges.
@@ -53,12 +58,13 @@ struct RunModel {
   Counting counting;
   bool startsBlocks;  ///< the system starts blocks by their number, organization blocks; otherwise ATCH attaches them
   bool ranksEvents;   ///< an event of higher priority interrupts the routine that runs
-  bool runsWithoutMain;     ///< what the system starts runs even if there is no main program
-  bool keepsLastScan;       ///< a program can ask how long the last scan took, whatever its memory holds
-  bool restartsWarm;        ///< a change to RUN begins anew: what is not retentive is as after a download
-  bool hasWatchdog;         ///< a scan that lasts too long is an error; otherwise only one that can never end
-  Hazard endlessScan;       ///< the error of a scan that lasts too long or never ends
-  bool listsTimes;          ///< the manual lists how long each instruction runs (Desc::time)
+  bool runsWithoutMain;  ///< what the system starts runs even if there is no main program
+  bool keepsLastScan;    ///< a program can ask how long the last scan took, whatever its memory holds
+  bool restartsWarm;     ///< a change to RUN begins anew: what is not retentive is as after a download
+  bool hasWatchdog;      ///< a scan that lasts too long is an error; otherwise only one that can never end
+  Hazard endlessScan;    ///< the error of a scan that lasts too long or never ends
+  bool listsTimes;       ///< the manual lists how long each instruction runs (Desc::time)
+  CpuFeatures (*features)(const Target&);
   std::uint32_t usualTime;  ///< 10 ns, of an instruction whose time is not listed
   /// ms after which the watchdog ends a scan.
   int (*watchdogMs)(const Program&, const Choices&);

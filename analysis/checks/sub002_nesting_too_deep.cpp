@@ -4,7 +4,7 @@
 
 #include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
-#include "ir/s7200/frame.hpp"
+#include "ir/machine/frame.hpp"
 
 namespace rungproof {
 

@@ -10,6 +10,7 @@
 #include "analysis/flow/on_time.hpp"
 #include "analysis/flow/step7_blocks.hpp"
 #include "analysis/rule.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "ir/s7200/isa.hpp"
 #include "ir/s7300/statement_detail.hpp"
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "analysis/encoding/scan_encoding.hpp"
-#include "ir/s7200/timer_refresh.hpp"
+#include "ir/families/run.hpp"
 #include "ir/s7300/block.hpp"
 
 namespace rungproof {

@@ -10,11 +10,11 @@
 
 #include "analysis/encoding/site_name.hpp"
 #include "ir/check.hpp"
+#include "ir/families/run.hpp"
 #include "ir/s7200/event.hpp"
 #include "ir/s7200/isa/clock.hpp"
 #include "ir/s7200/isa/comm.hpp"
 #include "ir/s7200/special_memory.hpp"
-#include "ir/s7200/timer_refresh.hpp"
 #include "ir/s7300/place.hpp"
 
 namespace rungproof {

@@ -8,8 +8,8 @@
 #include "ir/dialect.hpp"
 #include "ir/iec/expression_role.hpp"
 #include "ir/iec/variables.hpp"
+#include "ir/machine/plan.hpp"
 #include "ir/overlap.hpp"
-#include "ir/s7200/plan.hpp"
 #include "ir/written_operand.hpp"
 
 namespace rungproof {

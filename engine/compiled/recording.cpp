@@ -2,8 +2,8 @@
 #include "engine/compiled/recording.hpp"
 
 #include "engine/compiled/recorded_walk.hpp"
+#include "ir/families/run.hpp"
 #include "ir/s7200/pulse_output.hpp"
-#include "ir/s7200/scan_cycle.hpp"
 #include "ir/s7200/special_memory.hpp"
 
 namespace rungproof::compiled {

@@ -9,9 +9,9 @@
 #include "engine/compiled/recording.hpp"
 #include "engine/compiled/reduce.hpp"
 #include "ir/check.hpp"
+#include "ir/families/run.hpp"
 #include "ir/s7200/event.hpp"
 #include "ir/s7200/pulse_output.hpp"
-#include "ir/s7200/scan_cycle.hpp"
 
 namespace rungproof {
 

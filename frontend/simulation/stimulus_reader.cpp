@@ -15,6 +15,7 @@
 #include "frontend/simulation/given_columns.hpp"
 #include "frontend/simulation/run_limits.hpp"
 #include "frontend/simulation/stimulus_column.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "ir/s7300/organization_block.hpp"
 
 namespace rungproof {

@@ -1,5 +1,5 @@
 // IEC timers keep the time from their start to the start of the scan in ATIME, which grows by the length of each scan
-// while STATE is 1 (ir/s7200/timer_refresh.hpp); in the scan that starts them it is below 0.
+// while STATE is 1 (ir/s7300/timer_pass.hpp); in the scan that starts them it is below 0.
 // Behaviour of the IEC blocks beyond 002:2516-2532: general knowledge.
 #include "frontend/step7/library_source.hpp"
 

@@ -3,9 +3,8 @@
 
 #include "ir/iec/cpu.hpp"
 #include "ir/iec/isa.hpp"
+#include "ir/machine/choices.hpp"
 #include "ir/program.hpp"
-#include "ir/s7200/choices.hpp"
-#include "ir/s7200/cpu.hpp"
 
 namespace rungproof {
 
@@ -19,6 +18,17 @@ constexpr auto machineModels = [] {
 }();
 
 constexpr EditionModel standardModels[] = {{Edition::Iec, "iec-61131-3", "IEC 61131-3"}};
+
+bool samplesInputs(const Target&) { return false; }
+
+std::optional<AddressLimit> variableLimit(const Target& target, Area area, Width width) {
+  return limitWithin(iecAreaSize(iecRow(target.cpu), area), area, width);
+}
+bool variableExists(const Target& target, Area area, Width width, std::uint32_t offset, unsigned bit) {
+  return isWithin(variableLimit(target, area, width), width, offset, bit);
+}
+
+CpuFeatures variableFeatures(const Target&) { return noFeatures; }
 
 std::vector<RetentiveRange> usuallyRetentiveVariables(const Target&) { return {}; }
 
@@ -69,7 +79,10 @@ constinit const Dialect iecDialect{
                .numbersArePointers = false,
                .pointersMayMiss = false,
                .numberBits = 64,
+               .samplesAtRead = samplesInputs,
                .analogInputs = Area::AI,
+               .addressLimit = variableLimit,
+               .addressExists = variableExists,
                .usuallyRetentive = usuallyRetentiveVariables,
                .retentive = retentiveVariables},
     .run = {.counting = Counting::Instances,
@@ -81,6 +94,7 @@ constinit const Dialect iecDialect{
             .hasWatchdog = false,
             .endlessScan = Hazard::IecEndless,
             .listsTimes = false,
+            .features = variableFeatures,
             .usualTime = shortestTime,
             .watchdogMs = watchedMs,
             .longestScanMs = longestIecScanMs,

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "ir/machine/choices.hpp"
+#include "ir/machine/frame.hpp"
 #include "ir/program.hpp"
-#include "ir/s7200/choices.hpp"
 #include "ir/s7200/cpu.hpp"
-#include "ir/s7200/frame.hpp"
 #include "ir/s7200/isa.hpp"
 #include "ir/s7200/special_memory.hpp"
 
@@ -26,6 +26,9 @@ constexpr EditionModel editionModels[] = {
     {Edition::Smart27, "smart-2.7", "S7-200 SMART, firmware up to V2.7", true},
     {Edition::Smart28, "smart-2.8", "S7-200 SMART, firmware from V2.8 on", true},
 };
+
+/// The S7-200 SMART has no input filter for analog inputs.
+bool isWithoutFilter(const Target& target) { return isSmart(target); }
 
 /// The manual gives no default for V, T and C; taken are those that the programming software sets: all of V, MB14-MB31,
 /// the TONR timers, all counters. MB0-MB13 are not retentive (001:1619). An S7-200 SMART keeps nothing unless its
@@ -92,7 +95,10 @@ constinit const Dialect s7200Dialect{
                .numbersArePointers = false,
                .pointersMayMiss = false,
                .numberBits = 32,
+               .samplesAtRead = isWithoutFilter,
                .analogInputs = Area::AI,
+               .addressLimit = s7200AddressLimit,
+               .addressExists = s7200AddressExists,
                .usuallyRetentive = usuallyRetentive,
                .retentive = retentive},
     .run = {.counting = Counting::Boxes,
@@ -104,6 +110,7 @@ constinit const Dialect s7200Dialect{
             .hasWatchdog = true,
             .endlessScan = Hazard::FatalWatchdog,
             .listsTimes = true,
+            .features = cpuFeatures,
             .usualTime = unlistedTime,
             .watchdogMs = watchdogMs,
             .longestScanMs = longestScanMs,

@@ -10,8 +10,8 @@
 
 #include <algorithm>
 
+#include "ir/machine/scan.hpp"
 #include "ir/s7200/pulse_output.hpp"
-#include "ir/s7200/scan.hpp"
 #include "ir/s7200/timer_refresh.hpp"
 
 namespace rungproof {

@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "ir/block_map.hpp"
+#include "ir/machine/choices.hpp"
 #include "ir/program.hpp"
-#include "ir/s7200/choices.hpp"
-#include "ir/s7200/cpu.hpp"
 #include "ir/s7300/block.hpp"
+#include "ir/s7300/cpu.hpp"
 #include "ir/s7300/isa.hpp"
 
 namespace rungproof {
@@ -33,6 +33,19 @@ constexpr auto modelsOf() {
 constexpr auto models300 = modelsOf<false>();
 constexpr auto models400 = modelsOf<true>();
 constexpr EditionModel editionModels[] = {{Edition::Step7, "step7-5.4", "STEP 7 V5.4"}};
+
+/// Each read of PIW asks the module (002:1292).
+bool asksModules(const Target&) { return true; }
+
+std::optional<AddressLimit> addressLimit7(const Target& target, Area area, Width width) {
+  return limitWithin(step7AreaSize(step7Row(target.cpu), area), area, width);
+}
+/// Data blocks have lengths of their own.
+bool addressExists7(const Target& target, Area area, Width width, std::uint32_t offset, unsigned bit) {
+  return area == Area::DB || isWithin(addressLimit7(target, area, width), width, offset, bit);
+}
+
+CpuFeatures features7(const Target&) { return noFeatures; }
 
 /// MB0-MB15, C0-C7 (general knowledge).
 std::vector<RetentiveRange> usuallyRetentive7(const Target&) { return {{Area::M, 0, 15}, {Area::C, 0, 7}}; }
@@ -76,7 +89,10 @@ constexpr MemoryModel memory7 = {.isOfVariables = false,
                                  .numbersArePointers = true,
                                  .pointersMayMiss = true,
                                  .numberBits = 32,
+                                 .samplesAtRead = asksModules,
                                  .analogInputs = Area::PI,
+                                 .addressLimit = addressLimit7,
+                                 .addressExists = addressExists7,
                                  .usuallyRetentive = usuallyRetentive7,
                                  .retentive = retentive7};
 
@@ -94,6 +110,7 @@ constexpr RunModel run7 = {
     .hasWatchdog = true,
     .endlessScan = Hazard::S7CycleTime,
     .listsTimes = false,
+    .features = features7,
     .usualTime = statementTime,
     .watchdogMs = cycleMonitoringMs,
     .longestScanMs = longestScanMs7,

@@ -1,6 +1,6 @@
 // What blocks of the CPU and of the libraries do whose meaning is no list of statements, by their numbers. A block of
 // which nothing but the contract is known gives every output any value. Each domain compiles this in one source file
-// (ir/s7200/dispatch.hpp). Tested by tests/prover/pointer_parameter_test.cpp and the tests of the files below.
+// (ir/machine/dispatch.hpp). Tested by tests/prover/pointer_parameter_test.cpp and the tests of the files below.
 #pragma once
 
 #include "ir/s7300/block.hpp"

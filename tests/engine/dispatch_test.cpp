@@ -6,8 +6,8 @@
 
 #include "engine/dispatch_concrete.hpp"
 #include "engine/start_up.hpp"
+#include "ir/families/run.hpp"
 #include "ir/s7200/isa.hpp"
-#include "ir/s7200/scan.hpp"
 
 namespace rungproof {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "ir/block_map.hpp"
 #include "ir/iec/dialect.hpp"
+#include "ir/machine/choices.hpp"
 #include "ir/program.hpp"
-#include "ir/s7200/choices.hpp"
 #include "ir/s7200/dialect.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/dialect.hpp"

@@ -2,7 +2,7 @@
 #include "ir/s7200/isa.hpp"
 
 #include "ir/s7200/error_codes.hpp"
-#include "ir/s7200/isa_list.hpp"
+#include "ir/s7200/isa/list.hpp"
 
 namespace rungproof {
 

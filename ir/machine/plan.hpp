@@ -10,7 +10,7 @@
 #include "ir/block_map.hpp"
 #include "ir/dialect.hpp"
 #include "ir/flow.hpp"
-#include "ir/s7200/register.hpp"
+#include "ir/machine/register.hpp"
 
 namespace rungproof {
 
@@ -64,8 +64,8 @@ struct Plan {
   const Dialect* dialect_;
   StatementForm form_;                     ///< of the dialect, asked for at each instruction
   std::map<int, std::size_t> codeBlocks_;  ///< index in flows by Pou::number
-  void addBoxTimers(const Flow& flow);
-  void planBlocks();
+  void planBoxes();                        ///< ir/s7200/plan_boxes.cpp
+  void planBlocks();                       ///< ir/s7300/plan_blocks.cpp
   void number(const Instruction& instruction);
   const Flow* find(PouKind kind, int number) const;
 };
