@@ -5,4 +5,4 @@
 #include "ir/iec/isa/list.hpp"
 #include "ir/s7200/isa/list.hpp"
 #include "ir/s7300/isa/list.hpp"
-#include "ir/s7300/system_block.hpp"
+#include "ir/s7300/library/system_block.hpp"

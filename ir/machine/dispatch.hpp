@@ -23,7 +23,7 @@ std::span<const Execute<D>> step7DispatchTable();
 template <class D>
 std::span<const Execute<D>> iecDispatchTable();
 
-/// Runs the block of the CPU or of a library that the machine has entered (ir/s7300/system_block.hpp).
+/// Runs the block of the CPU or of a library that the machine has entered (ir/s7300/library/system_block.hpp).
 template <class D>
 void runSystemBlock(Machine<D>& machine, const std::function<void()>& between);
 
