@@ -32,7 +32,7 @@ BoxPattern patternOf(const FbdBox& box) {
     if (blank == std::string_view::npos) continue;
     const std::string_view pin = statement.substr(blank + 2);  // behind the $
     const Direction direction = pin == "OUT" ? Direction::Out : Direction::In;
-    pattern.drawn.operands[pattern.drawn.operandCount++] = operandDesc(pin, direction, Type::Value, 0);
+    pattern.drawn.operands[pattern.drawn.operandCount++] = operandDesc(pin, direction, rungproof::Type::Value, 0);
   }
   return pattern;
 }
@@ -46,8 +46,9 @@ Desc timerBoxOf(const FbdBox& box) {
   desc.drawingOnly = true;
   desc.execution = Execution::Always;
   desc.manual = box.manual;
-  return withOperands(desc, {inout("T", Type::Timer, 0), in("TV", Type::Value, 0), optional(out("BI", Type::Value, 0)),
-                             optional(out("BCD", Type::Value, 0))});
+  return withOperands(
+      desc, {inout("T", rungproof::Type::Timer, 0), in("TV", rungproof::Type::Value, 0),
+             optional(out("BI", rungproof::Type::Value, 0)), optional(out("BCD", rungproof::Type::Value, 0))});
 }
 
 struct TimerPattern {
