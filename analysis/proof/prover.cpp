@@ -572,9 +572,7 @@ ProofRun proveAll(const Program& program, const PropertySet& set, const ProverOp
   } else {
     result.assumptions = environmentTexts(program, set, options.time, options.choices);
   }
-  ProofRun left;
-  left.results = std::move(open);
-  result = merged(set, std::move(result), std::move(left));
+  result = merged(set, std::move(result), ProofRun{std::move(open), {}, {}, {}});
   if (forAll.empty()) result.assumptions.push_back("what is not executed does not stop the CPU");
   return result;
 }
@@ -590,9 +588,8 @@ ProofRun prove(const Program& program, const PropertySet& set, const ProverOptio
   const Facts facts(program, set.externals);
   PropertySet open = set;
   std::ranges::move(externalsOfCalls(facts), std::back_inserter(open.externals));
-  // Of a caller that does not look for it. What is left out among rungs is bounded; accumulators hand it on.
-  std::optional<UnreadCode> unread;
-  if (options.unread == nullptr && formOf(program.target) != StatementForm::Accumulators)
+  std::optional<UnreadCode> unread;  // of a caller that does not look for it; accumulators hand on what is left out
+  if (formOf(program.target) != StatementForm::Accumulators && options.unread == nullptr)
     options.unread = &unread.emplace(program, options.choices);
   ProofRun run = proveAll(program, open, options, progress);
   std::ranges::move(assumptionsOfCalls(facts), std::back_inserter(run.assumptions));

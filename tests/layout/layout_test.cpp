@@ -300,6 +300,10 @@ std::string familyAsked(const std::string& line) {
       "\\b(s7200|s7300|s7400|iec)Dialect\\b|\\bfirst(Step7|Iec)Cpu\\b|\\bEdition::(Step7|Iec)\\b|"
       "(==|!=|&) *dialect::|\\bdialect::\\w+\\)* *(==|!=|&)|"
       "(==|!=) *\"(s7-[234]00|iec|S7-[234]00|IEC 61131-3)\"|dynamic_cast<const (Step7|Iec)");
+  static constexpr std::string_view marks[] = {
+      "Step7", "Iec", "S7200", "S7300", "S7400", "dialect::", "Dialect", "\"s7-", "\"S7-", "\"iec", "\"IEC"};
+  const auto has = [&](std::string_view mark) { return line.find(mark) != std::string::npos; };
+  if (std::ranges::none_of(marks, has)) return "";
   std::smatch match;
   return std::regex_search(line, match, named) ? match.str() : "";
 }
