@@ -134,8 +134,8 @@ struct Rule {
   std::span<const Explanation> explainedBy{};  ///< answers that make a finding of this rule superfluous
 
   constexpr std::string_view group() const { return id.substr(0, 3); }
-  /// Whether the examples need their CPU named: another than the usual one, of a family that has CPUs.
-  constexpr bool namesCpu() const { return exampleCpu != "226" && dialects != dialect::Iec; }
+  /// Whether the examples need their CPU named: another than the usual one, and a product.
+  bool namesCpu() const { return exampleCpu != "226" && dialectOf(*cpuNamed(exampleCpu)).text.hasProducts; }
 };
 
 /// Whether the rule knows programs for that CPU; whoever runs rules leaves out the others.

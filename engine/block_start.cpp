@@ -68,7 +68,7 @@ std::optional<std::uint8_t> BlockStart::byteOf(int block, std::uint32_t byte, co
 }
 
 bool mayReadStartOfMain(const Plan& plan) {
-  if (!plan.isStep7()) return false;
+  if (!plan.dialect().run.startsBlocks) return false;
   return std::ranges::any_of(plan.flows, [&](const Flow& flow) {
     const bool isMain = flow.pou->number == blockNumber(BlockType::Ob, 1);
     return std::ranges::any_of(flow.steps, [&](const FlowStep& step) {

@@ -11,7 +11,7 @@
 #include "engine/concrete.hpp"
 #include "engine/real_time_clock.hpp"
 #include "ir/block_event.hpp"
-#include "ir/s7200/plan.hpp"
+#include "ir/machine/plan.hpp"
 
 namespace rungproof {
 

@@ -11,8 +11,8 @@ namespace rungproof {
 
 namespace {
 
-/// An S7-200 tells of full queues in SM4.0 to SM4.2, and of forced values in SM4.7.
-bool hasQueueBits(const Plan& plan) { return !plan.isStep7() && !plan.isIec(); }
+/// Special memory tells of full queues in SM4.0 to SM4.2, and of forced values in SM4.7.
+bool hasQueueBits(const Plan& plan) { return plan.dialect().memory.hasSpecialMemory; }
 
 }  // namespace
 
@@ -59,7 +59,8 @@ void Simulator::endCalmly(std::uint32_t lengthUs) {
   endScanOfTimers(machine_, scanTicks_);
   refreshSpecialMemory(machine_, lastScanUs_ / 1000);
   starts_.scanEnded(lastScanUs_ / 1000);
-  if (plan_.isStep7()) std::ranges::fill(store_.area(Area::L), std::uint8_t{0});  // computed addresses lead there too
+  if (plan_.dialect().memory.numbersArePointers)
+    std::ranges::fill(store_.area(Area::L), std::uint8_t{0});  // computed addresses lead there too
   if (hasQueueBits(plan_)) store_.area(Area::SM)[4] &= 0x7F;
   const auto& image = store_.area(Area::Q);
   std::copy_n(image.begin(), machine_.terminals() / 8, store_.terminals(Reg::PhysicalOutput).begin());

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "ir/s7200/machine.hpp"
+#include "ir/machine/machine.hpp"
 
 namespace rungproof {
 

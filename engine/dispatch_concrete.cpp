@@ -5,9 +5,7 @@
 
 #include <array>
 
-#include "ir/iec/isa_list.hpp"
-#include "ir/s7300/isa_list.hpp"
-#include "ir/s7300/system_block.hpp"
+#include "ir/families/instructions.hpp"
 
 namespace rungproof {
 
@@ -76,11 +74,11 @@ void runSystemBlock<Concrete>(Machine<Concrete>& machine, const std::function<vo
   runSystemBlockOn(machine, between);
 }
 
-Execute<Concrete> executionOf(const Instruction& instruction, bool isIec) {
+Execute<Concrete> executionOf(const Instruction& instruction, StatementForm form) {
   static constexpr auto forms = makeAreaForms(isa::AllInstructions{});
   if (instruction.desc->control != Control::None) return nullptr;
-  if (isIec) return iecDispatchTable<Concrete>()[instruction.desc->opcode];
-  if (instruction.desc->execution == Execution::Always) return step7DispatchTable<Concrete>()[instruction.desc->opcode];
+  if (form == StatementForm::Expressions) return iecDispatchTable<Concrete>()[instruction.desc->opcode];
+  if (form == StatementForm::Accumulators) return step7DispatchTable<Concrete>()[instruction.desc->opcode];
   const AreaForms& atAreas = forms[instruction.desc->opcode];
   if (instruction.operands.size() == 1 && instruction.operands[0].kind == OperandKind::Direct) {
     for (std::size_t i = 0; i < byteAreas.size(); ++i) {

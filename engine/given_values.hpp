@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/concrete.hpp"
-#include "ir/s7200/choices.hpp"
+#include "ir/machine/choices.hpp"
 
 namespace rungproof {
 

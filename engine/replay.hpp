@@ -14,8 +14,8 @@
 #include "engine/instruction_observer.hpp"
 #include "engine/run_time_error.hpp"
 #include "engine/scan_script.hpp"
-#include "ir/s7200/choices.hpp"
-#include "ir/s7200/plan.hpp"
+#include "ir/machine/choices.hpp"
+#include "ir/machine/plan.hpp"
 
 namespace rungproof {
 

@@ -28,8 +28,8 @@
 #include "engine/run_time_error.hpp"
 #include "engine/scan_script.hpp"
 #include "engine/start_up.hpp"
-#include "ir/s7200/choices.hpp"
-#include "ir/s7200/plan.hpp"
+#include "ir/machine/choices.hpp"
+#include "ir/machine/plan.hpp"
 
 namespace rungproof {
 
@@ -214,7 +214,7 @@ class Simulator final : private Outside {
   void checkWatchdog();
   void watchLoops(const FlowStep& step);
   bool isInTime(std::uint64_t position) const;
-  std::uint64_t watchdogTime() const;
+  std::uint64_t watchdogTime() const { return watchdogTime_; }
   std::uint64_t quietTime() const;
   void setClock();
   void passMillisecond(Runner& runner);
@@ -251,6 +251,8 @@ class Simulator final : private Outside {
   std::uint64_t moment_ = 0;    ///< grows with every instant at which events may occur together
   std::uint64_t position_ = 0;  ///< within the scan, 10 ns
   std::uint64_t nextMs_ = 0;    ///< position at which the next boundary is looked at: that of the next 1 ms tick
+  bool hasWatchdog_ = true;
+  std::uint64_t watchdogTime_ = 0, longestScan_ = 0;  ///< 10 ns
   std::uint64_t watchdogFrom_ = 0;
   bool hasTimeError_ = false;  ///< OB80 was called in this scan for its length
   std::uint32_t pending_ = 0;  ///< time of the instruction that is running

@@ -33,7 +33,7 @@ void Simulator::raise(int event) {
   if (content == 0 || isLocked(event, content)) return;
   attention_ = true;
   if (queue_.add(event, moment_, static_cast<int>(content) - 1)) return;
-  if (plan_.isStep7()) return;  // no bit tells of it
+  if (!plan_.dialect().memory.hasSpecialMemory) return;  // no bit tells of it
   store_.save(Area::SM, 4 * 8 + static_cast<std::uint32_t>(eventInfo(event).group), 1, 1, true);
   report(Hazard::QueueOverflow, nullptr);
 }
@@ -50,7 +50,7 @@ bool Simulator::meetsMissingBlock(int event) {
   const auto isMissing = [&](int e) {
     return routineIn(e, store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(e))) == 0;
   };
-  if (!plan_.isStep7() || !isRunning() || !isBlockEvent(event) || !isMissing(event)) return false;
+  if (!plan_.dialect().run.startsBlocks || !isRunning() || !isBlockEvent(event) || !isMissing(event)) return false;
   const WithoutBlock reaction = blockEventRow(blockOfEvent(event))->withoutBlock;
   if (reaction == WithoutBlock::Nothing) return true;
   const int programError = eventOfBlock(85);
@@ -74,7 +74,8 @@ bool Simulator::isScriptQuiet() const {
   const bool namesNoPlace = script_->events.empty() && script_->ticks1.empty() && script_->writes.empty();
   const auto isUnknown = [](int edge) { return edge == 0; };
   if (!namesNoPlace || !queue_.empty() || !std::ranges::all_of(lastEdge_, isUnknown)) return false;
-  return !touchesQueueBits_ && (isStep7(target()) || (store_.load(Area::SM, 4 * 8, 8) & 7U) == 0);
+  return !touchesQueueBits_ &&
+         (!plan_.dialect().memory.hasSpecialMemory || (store_.load(Area::SM, 4 * 8, 8) & 7U) == 0);
 }
 
 void Simulator::beginScript(std::uint32_t lengthMs) {
@@ -217,7 +218,8 @@ void Simulator::serveEvent(Runner& runner, int event) {
 bool Simulator::mayServe() const {
   if (machine_.isStartUp) return false;
   if (!machine_.inInterrupt) return true;
-  return plan_.isStep7() && script_ == nullptr && !queue_.empty() && priorityOf(*queue_.next()) > priority_;
+  return plan_.dialect().run.ranksEvents && script_ == nullptr && !queue_.empty() &&
+         priorityOf(*queue_.next()) > priority_;
 }
 
 void Simulator::serveInterrupts(Runner& runner) {

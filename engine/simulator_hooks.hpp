@@ -6,8 +6,8 @@
 #include <span>
 
 #include "engine/simulator.hpp"
+#include "ir/families/run.hpp"
 #include "ir/s7200/call_contract.hpp"
-#include "ir/s7200/scan_cycle.hpp"
 
 namespace rungproof {
 

@@ -13,32 +13,22 @@ namespace {
 
 constexpr std::uint32_t idleTime = 100;      // 1 us without power flow (001:14522)
 constexpr std::uint32_t pointerTime = 1400;  // per indirect operand (001:14528)
-constexpr std::uint32_t unlistedTime = 100;  // instructions whose time the text has lost
-/// 0.1 us for any statement of an S7-300/400, of which the course documents give no times: that of bit logic on a
-/// CPU 315 (general knowledge). Loops end by it, and nothing else depends on it.
-constexpr std::uint32_t step7Time = 10;
-/// IEC 61131-3 states no times: as little as can be counted, so that only endless loops last.
-constexpr std::uint32_t iecTime = 1;
-/// No scan of an S7-200 SMART lasts longer, however often WDR restarts the watchdog; for the others it is
-/// Choice::LongestScan.
-constexpr int longestScanOfSmart = 5000;  // ms
 
 }  // namespace
 
 void Simulator::prepareCosts() {
-  const std::uint32_t usual = plan_.isStep7() ? step7Time : plan_.isIec() ? iecTime : unlistedTime;
-  costs_.assign(plan_.program->instructionCount(), Cost{{usual, usual}, nullptr});
+  const RunModel& run = plan_.dialect().run;
+  costs_.assign(plan_.program->instructionCount(), Cost{{run.usualTime, run.usualTime}, nullptr});
   for (const Flow& flow : plan_.flows) {
     for (const FlowStep& step : flow.steps) {
       const Desc& desc = *step.instruction->desc;
-      costs_[step.id()].run = executionOf(*step.instruction, plan_.isIec());
-      if (plan_.isStep7() || plan_.isIec()) continue;
-      std::uint32_t time = desc.time == 0 ? unlistedTime : desc.time;
+      costs_[step.id()].run = executionOf(*step.instruction, plan_.form());
+      if (!run.listsTimes) continue;
+      std::uint32_t time = desc.time == 0 ? run.usualTime : desc.time;
       for (const Operand& operand : step.instruction->operands) {
         if (operand.kind == OperandKind::Indirect) time += pointerTime;
       }
-      costs_[step.id()] = {{desc.execution == Execution::Conditional ? idleTime : time, time},
-                           executionOf(*step.instruction, false)};
+      costs_[step.id()].time = {desc.execution == Execution::Conditional ? idleTime : time, time};
     }
   }
 }
@@ -57,7 +47,7 @@ std::optional<std::uint64_t> Simulator::quietTime(std::uint32_t lengthUs, std::u
 
 void Simulator::boundary(Runner& runner, const FlowStep* step) {
   if (!machine_.guard) return;
-  if (plan_.isIec() && step != nullptr) watchLoops(*step);
+  if (!hasWatchdog_ && step != nullptr) watchLoops(*step);
   if (script_ != nullptr) {
     checkWatchdog();
     const std::uint32_t id = step == nullptr ? ScanPlace::afterProgram : step->instruction->id;
@@ -68,7 +58,7 @@ void Simulator::boundary(Runner& runner, const FlowStep* step) {
       passMillisecond(runner);
     }
     serveInterrupts(runner);
-    attention_ = !queue_.empty() || observer_ != nullptr || (plan_.isIec() && position_ >= Cost::perMs);
+    attention_ = !queue_.empty() || observer_ != nullptr || (!hasWatchdog_ && position_ >= Cost::perMs);
   }
   if (observer_ != nullptr && step != nullptr && machine_.guard) observer_->before(machine_, *step->instruction);
 }
@@ -79,8 +69,7 @@ void Simulator::watchLoops(const FlowStep& step) {
   if (script_ != nullptr) nextMs_ = 0;
   loop_.step(step.instruction->id);
   if (step.instruction->desc->control != Control::LabelMark) return;
-  if (loop_.returns(step.instruction->id, store_.area(Area::V)))
-    machine_.hazard(watchdogHazard(plan_.isStep7(), plan_.isIec()), true);
+  if (loop_.returns(step.instruction->id, store_.area(Area::V))) machine_.hazard(plan_.dialect().run.endlessScan, true);
 }
 
 /// Writes that no running request allows are passed over, as are events that are not attached.
@@ -150,27 +139,20 @@ void Simulator::passMillisecond(Runner& runner) {
 void Simulator::checkWatchdog() {
   if (isInTime(position_)) return;
   const int event = eventOfBlock(80);
-  const bool isCalled = plan_.isStep7() && store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event)) != 0;
+  const bool isCalled =
+      plan_.dialect().run.startsBlocks && store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event)) != 0;
   if (script_ != nullptr || !isCalled || std::exchange(hasTimeError_, true))
-    return machine_.hazard(watchdogHazard(plan_.isStep7(), plan_.isIec()), true);
+    return machine_.hazard(plan_.dialect().run.endlessScan, true);
   watchdogFrom_ = position_;
   raise(event);
 }
 
 bool Simulator::isInTime(std::uint64_t position) const {
-  const bool isShort = !plan_.isStep7() && isSmart(plan_.program->target);
-  const int limit = isShort ? longestScanOfSmart : options_.choices.longestScanMs();
-  return position - watchdogFrom_ <= watchdogTime() && position <= static_cast<std::uint64_t>(limit) * Cost::perMs;
-}
-
-/// 10 ns.
-std::uint64_t Simulator::watchdogTime() const {
-  const int limit = plan_.isStep7() ? plan_.program->cycleMonitoringMs : options_.choices.watchdogMs();
-  return static_cast<std::uint64_t>(limit) * Cost::perMs;
+  return position - watchdogFrom_ <= watchdogTime() && position <= longestScan_;
 }
 
 /// 10 ns; how long a script that names no place in the scan is not looked at.
-std::uint64_t Simulator::quietTime() const { return plan_.isIec() ? Cost::perMs : watchdogTime() + 1; }
+std::uint64_t Simulator::quietTime() const { return hasWatchdog_ ? watchdogTime() + 1 : Cost::perMs; }
 
 /// Whether up to there the ticks of the 1 ms clock let timers count and do nothing else.
 bool Simulator::isQuietUntil(std::uint64_t position) const {

@@ -49,7 +49,7 @@ void prepareRun(Concrete::Store& store, const Choices& choices) {
 
 /// The organization blocks that something beside the program starts are attached for good.
 void attachBlocks(const Plan& plan, Concrete::Store& store) {
-  if (!plan.isStep7()) return;
+  if (!plan.dialect().run.startsBlocks) return;
   for (int event = firstBlockEvent; event < blockEventEnd; ++event) {
     const int block = blockOfEvent(event);
     if (plan.block(blockNumber(BlockType::Ob, block)) == nullptr) continue;
@@ -76,35 +76,13 @@ void loadDataBlock(const Program& program, Concrete::Store& store) {
 }  // namespace
 
 std::vector<RetentiveRange> defaultRetentiveRanges(const Target& target) {
-  if (isSmart(target) || isIec(target)) return {};  // nothing, unless the system block says otherwise
-  if (isStep7(target)) return {{Area::M, 0, 15}, {Area::C, 0, 7}};
-  return {{Area::V, 0, 0xFFFFFFFF}, {Area::M, 14, 31}, {Area::T, 0, 31}, {Area::T, 64, 95}, {Area::C, 0, 255}};
+  return dialectOf(target).memory.usuallyRetentive(target);
 }
 
 std::vector<RetentiveRange> retentiveRanges(const Program& program,
                                             const std::optional<std::vector<RetentiveRange>>& given) {
-  std::vector<RetentiveRange> ranges = given.value_or(defaultRetentiveRanges(program.target));
   if (program.coldStart) return {};
-  if (isIec(program.target)) {
-    for (const auto& [first, last] : program.retained) ranges.push_back({Area::V, first, last});
-    return ranges;
-  }
-  if (isStep7(program.target)) {
-    const auto isOfBlock = [](const RetentiveRange& range) { return range.area == Area::DB; };
-    if (std::ranges::any_of(ranges, isOfBlock)) return ranges;
-    for (const DataBlock& block : program.dataBlocks) {
-      if (!block.nonRetain) ranges.push_back({Area::DB, dataByte(block.number, 0), dataByte(block.number, 0xFFFF)});
-    }
-    return ranges;
-  }
-  std::vector<RetentiveRange> kept;
-  for (const RetentiveRange& range : ranges) {
-    if (range.area != Area::T) kept.push_back(range);
-    for (std::uint32_t timer = range.first; range.area == Area::T && timer <= std::min(range.last, 255U); ++timer) {
-      if (timerIsRetentive(static_cast<int>(timer))) kept.push_back({Area::T, timer, timer});
-    }
-  }
-  return kept;
+  return dialectOf(program.target).memory.retentive(program, given ? *given : defaultRetentiveRanges(program.target));
 }
 
 bool isRetentive(const std::vector<RetentiveRange>& ranges, Area area, std::uint32_t index) {
@@ -113,11 +91,12 @@ bool isRetentive(const std::vector<RetentiveRange>& ranges, Area area, std::uint
   });
 }
 
-std::span<const Reg> retainedRegisters(Area area, bool isStep7) {
+std::span<const Reg> retainedRegisters(Area area, Counting counting) {
   static constexpr Reg current[] = {Reg::TimerCurrent}, counted[] = {Reg::CounterCurrent, Reg::CounterBit};
   static constexpr Reg s5[] = {Reg::TimerBit, Reg::TimerRunning, Reg::S5Rest, Reg::S5Base, Reg::S5AtEnd};
-  if (area == Area::T) return isStep7 ? std::span<const Reg>(s5) : std::span<const Reg>(current);
-  return std::span<const Reg>(counted).first(isStep7 ? 2 : 1);
+  const bool areElements = counting == Counting::Elements;
+  if (area == Area::T) return areElements ? std::span<const Reg>(s5) : std::span<const Reg>(current);
+  return std::span<const Reg>(counted).first(areElements ? 2 : 1);
 }
 
 void setTickPhase(Concrete::Store& store, std::uint32_t phase) {
@@ -132,7 +111,7 @@ Concrete::Store powerUpState(const Plan& plan, const Choices& choices, bool data
   setSm(store, 0, 2, dataLost);
   setSm(store, 0, 3, true);
   attachBlocks(plan, store);
-  if (plan.isStep7() || plan.isIec()) return store;
+  if (!plan.dialect().memory.hasSpecialMemory) return store;
   store.area(Area::SM)[6] = cpuRow(plan.program->target.cpu).identifier.value_or(0x20);  // 224XP: that of the 224
   return store;
 }
@@ -152,7 +131,7 @@ Concrete::Store powerCycledState(const Plan& plan, const Choices& choices, const
   for (const auto& [area, count] : {std::pair{Area::T, plan.timerCount}, std::pair{Area::C, plan.counterCount}}) {
     for (std::uint32_t i = 0; i < count; ++i) {
       if (!isRetentive(ranges, area, i)) continue;
-      for (const Reg reg : retainedRegisters(area, plan.isStep7())) store.set(reg, i, before.get(reg, i), true);
+      for (const Reg reg : retainedRegisters(area, plan.counting())) store.set(reg, i, before.get(reg, i), true);
     }
   }
   return store;
@@ -160,7 +139,7 @@ Concrete::Store powerCycledState(const Plan& plan, const Choices& choices, const
 
 void enterRun(const Plan& plan, Concrete::Store& store, const Choices& choices,
               const std::vector<RetentiveRange>& ranges) {
-  if (plan.isStep7()) {
+  if (plan.dialect().run.restartsWarm) {
     const Concrete::Store before = store;
     store = powerCycledState(plan, choices, before, ranges);
     for (const Reg clock : {Reg::PhaseTen, Reg::PhaseHundred, Reg::ClockPhase}) {

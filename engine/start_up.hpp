@@ -8,22 +8,14 @@
 #include <vector>
 
 #include "engine/concrete.hpp"
+#include "ir/retentive_range.hpp"
 
 namespace rungproof {
 
-/// Bytes of V, M or DB, or numbers of T or C, first to last, that keep their values without power (001:1534).
-struct RetentiveRange {
-  Area area;
-  std::uint32_t first;
-  std::uint32_t last;
-};
-/// The manual gives no default for V, T and C; taken are those that the programming software sets: all of V, MB14-MB31,
-/// the TONR timers, all counters. MB0-MB13 are not retentive (001:1619).
-/// S7-300/400: MB0-MB15, C0-C7 (general knowledge).
+/// What the CPU keeps where the project says nothing.
 std::vector<RetentiveRange> defaultRetentiveRanges(const Target& target);
-/// What of a program keeps its value: `given` by the project or that of the CPU; of the timers of an S7-200 only TONR
-/// (001:6556). Data blocks of an S7-300/400 do unless they are NON_RETAIN (002:563); where `given` names bytes of data
-/// blocks, these do and no others.
+/// What of a program keeps its value: `given` by the project or that of the CPU, as far as its family can keep it
+/// (MemoryModel::retentive).
 std::vector<RetentiveRange> retentiveRanges(const Program& program,
                                             const std::optional<std::vector<RetentiveRange>>& given);
 
@@ -45,9 +37,9 @@ Concrete::Store powerCycledState(const Plan& plan, const Choices& choices, const
 void enterRun(const Plan& plan, Concrete::Store& store, const Choices& choices,
               const std::vector<RetentiveRange>& ranges);
 
-/// What of a retentive timer or counter is kept: the current value; of an S7-300/400 all but the edges that its
+/// What of a retentive timer or counter is kept: the current value; of numbered elements all but the edges that their
 /// instructions have seen.
-std::span<const Reg> retainedRegisters(Area area, bool isStep7);
+std::span<const Reg> retainedRegisters(Area area, Counting counting);
 /// Whether V, M, DB, T or C cell `index` (byte or number) is in one of the ranges.
 bool isRetentive(const std::vector<RetentiveRange>& ranges, Area area, std::uint32_t index);
 

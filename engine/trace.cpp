@@ -191,8 +191,9 @@ TraceSignal signalOf(const Program& program, const Operand& operand, const Symbo
   TraceSignal signal;
   signal.operand = operand;
   const bool byNumber = hasBitAndWord(operand.area);
-  if (symbol != nullptr && !isIec(program.target)) signal.symbol = symbol->name;
-  signal.name = symbol != nullptr && isIec(program.target) ? symbol->name : toString(operand);
+  const bool isVariable = symbol != nullptr && dialectOf(program.target).memory.isOfVariables;
+  if (symbol != nullptr && !isVariable) signal.symbol = symbol->name;
+  signal.name = isVariable ? symbol->name : toString(operand);
   if (byNumber && operand.width != Width::Bit) signal.name += ".value";
   if (operand.width == Width::Bit) signal.type = SignalType::Bool;
   if (operand.width == Width::Byte) signal.type = SignalType::Unsigned;
@@ -215,7 +216,8 @@ TraceSignal signalOf(const Program& program, const Operand& operand) {
 std::vector<TraceSignal> touchedSignals(const Program& program) {
   Operands operands;
   std::set<Cell> seen;
-  if (isIec(program.target)) {  // the variables in the order of their declaration, by their first names
+  if (dialectOf(program.target)
+          .memory.isOfVariables) {  // the variables in the order of their declaration, by their first names
     std::vector<TraceSignal> variables;
     for (const Symbol& symbol : program.symbols) {
       if (seen.insert(cellOf(symbol.address)).second) variables.push_back(signalOf(program, symbol.address, &symbol));
@@ -227,7 +229,8 @@ std::vector<TraceSignal> touchedSignals(const Program& program) {
   };
   forEachOperand(program, [&](const Instruction& instruction, std::size_t i, const Operand& operand, Type type) {
     Operand first = accessed(operand, type);
-    if (first.area == Area::T && first.width == Width::Word && isStep7(program.target))
+    if (first.area == Area::T && first.width == Width::Word &&
+        dialectOf(program.target).run.counting == Counting::Elements)
       first.width = Width::DWord;  // ms
     for (unsigned k = 0; k < bitCount(instruction, i); ++k) {
       Operand next = first;

@@ -152,11 +152,11 @@ enum class Execution : std::uint8_t {
   Coil,         ///< always executed; copies the top to a bit
   Conditional,  ///< executed only with power flow (001:2274); otherwise nothing changes
   Sampled,      ///< always executed; takes stack levels as data (timers, counters, PID)
-  Control,      ///< moves the flow of the program; its meaning is in ir/s7200/scan.hpp
+  Control,      ///< moves the flow of the program; its meaning is in ir/machine/scan.hpp
   Always        ///< S7-300/400: runs whatever the RLO is
 };
 
-/// Which control instruction, for ir/flow.hpp, ir/s7200/scan.hpp and ir/s7300/control.hpp.
+/// Which control instruction, for ir/flow.hpp, ir/machine/scan.hpp and ir/s7300/control.hpp.
 enum class Control : std::uint8_t {
   None,
   Jump,
@@ -238,7 +238,7 @@ struct Desc {
   std::uint32_t time = 0;  ///< execution time with power flow in 0.01 us (Appendix F), 0 unknown; where it depends
                            ///< on operands: inputs, local points, constant count, without elements; typical value
   std::string_view manual = {};  ///< "001:4814"
-  std::uint16_t opcode = 0;      ///< position in the joined table, set by isa_list.hpp
+  std::uint16_t opcode = 0;      ///< position in the joined table, set by makeTable
 
   constexpr const OperandDesc& operand(int i) const { return operands[static_cast<std::size_t>(i)]; }
   constexpr std::string_view familyName() const { return family.empty() ? stl : family; }

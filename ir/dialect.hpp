@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "ir/family.hpp"
 #include "ir/instruction_table.hpp"
 #include "ir/system_bit.hpp"
 #include "ir/target.hpp"
@@ -26,8 +27,9 @@ struct CpuModel {
 };
 struct EditionModel {
   Edition edition;
-  std::string_view name;  ///< as --edition takes it
-  std::string_view text;  ///< as a sentence names it
+  std::string_view name;    ///< as --edition takes it
+  std::string_view text;    ///< as a sentence names it
+  bool isFirmware = false;  ///< of the CPU; otherwise the edition of a manual
 };
 
 struct Dialect {
@@ -39,6 +41,10 @@ struct Dialect {
   Target usual;                               ///< where no CPU is named
   const InstructionTable& (*instructions)();  ///< made when it is asked for the first time
   SystemBits systemBits;
+  StatementForm form;
+  MemoryModel memory;
+  RunModel run;
+  TextModel text;
 };
 
 /// All of them; the first one is meant where nothing is said.
@@ -46,5 +52,8 @@ std::span<const Dialect* const> dialects();
 /// The dialect of a CPU.
 const Dialect& dialectOf(Cpu cpu);
 inline const Dialect& dialectOf(const Target& target) { return dialectOf(target.cpu); }
+inline StatementForm formOf(const Target& target) { return dialectOf(target).form; }
+/// The row of an edition.
+const EditionModel& editionModel(Edition edition);
 
 }  // namespace rungproof

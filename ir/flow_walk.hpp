@@ -145,8 +145,7 @@ class FlowWalk {
     RoundsLeft left = RoundsLeft::LeftOut;
     if constexpr (requires { hooks_.beyondLimit(condition, isFirst); }) left = hooks_.beyondLimit(condition, isFirst);
     if (left == RoundsLeft::Follow) return true;
-    m_.hazard(left == RoundsLeft::Endless ? watchdogHazard(m_.plan.isStep7(), m_.plan.isIec()) : Hazard::LoopBound,
-              condition);
+    m_.hazard(left == RoundsLeft::Endless ? m_.plan.dialect().run.endlessScan : Hazard::LoopBound, condition);
     return false;
   }
 

@@ -3,7 +3,7 @@
 // Guards replace branches: `guard` is the condition under which the current instruction runs. Every write
 // takes effect only under it. For Concrete the guard is always true where code runs at all; for Graph a write
 // becomes "if guard then new else old". Meanings use when() instead of `if` on values. The machine of a family
-// (ir/s7200/machine.hpp) adds its state.
+// (ir/machine/machine.hpp) adds its state.
 #pragma once
 
 #include <optional>

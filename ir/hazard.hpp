@@ -165,11 +165,6 @@ inline constexpr std::array hazardTable = {
     HazardInfo{Hazard::IecEndless, "ERROR", HazardClass::Fatal, "the scan does not end", "IEC 61131-3"},
 };
 
-/// A scan that lasts too long, by the family of the program.
-constexpr Hazard watchdogHazard(bool isStep7, bool isIec) {
-  return isStep7 ? Hazard::S7CycleTime : isIec ? Hazard::IecEndless : Hazard::FatalWatchdog;
-}
-
 constexpr const HazardInfo& hazardInfo(Hazard hazard) { return hazardTable[static_cast<std::size_t>(hazard)]; }
 
 namespace detail {

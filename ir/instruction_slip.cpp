@@ -32,7 +32,7 @@ std::vector<const Desc*> slipsOf(const Desc& desc, const Dialect& of) {
   const auto add = [&](std::string_view mnemonic) {
     if (const Desc* other = of.instructions().named(mnemonic)) slips.push_back(other);
   };
-  if (of.set == dialect::S7200) {
+  if (of.form == StatementForm::Rungs) {
     if (desc.relation == Relation::None) return slips;
     const std::string name(desc.stl);
     const std::size_t sign = std::min(name.find_first_of("<>="), name.size());

@@ -92,7 +92,7 @@ struct Pou {
   Span span;
   bool protectedBlock = false;  ///< password-protected: no instruction is visible
   BlockType type = BlockType::None;
-  bool isBuiltIn = false;           ///< S7-300/400: its meaning is that of ir/s7300/system_block.hpp, not its text
+  bool isBuiltIn = false;           ///< S7-300/400: its struct in ir/s7300/library says what it does, not its text
   bool isInstance = false;          ///< IEC 61131-3: the body of one instance of a block
   std::uint32_t localBytes = 0;     ///< S7-300/400: L memory, with that of the LAD/FBD compiler; even
   std::uint32_t pointerBytes = 0;   ///< S7-300/400: the last of them, for pointers that calls hand over

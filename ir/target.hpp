@@ -11,8 +11,10 @@ namespace rungproof {
 
 /// A CPU: the number of its row.
 enum class Cpu : std::uint8_t {};
-/// Enumerators: ir/s7200/cpu.hpp.
-enum class Edition : std::uint8_t;
+/// Editions of manuals and firmware; rows: Dialect::editions. Of the S7-200 SMART: up to V2.7, and from V2.8 on. The
+/// S7-300/400 has one: STEP 7 V5.4 (002).
+enum class Edition : std::uint8_t { Edition2003, Edition2004, Smart27, Smart28, Step7, Iec };
+inline constexpr int editionCount = 6;
 
 /// A set of CPUs, one bit each.
 using CpuSet = std::uint64_t;

@@ -151,8 +151,9 @@ void askHazards(Asking& asking, const std::vector<const Rule*>& rules) {
   for (const auto& key : order) {
     asking.begin(*ruleOf(key.second));
     const HazardInfo& info = hazardInfo(key.second);
-    const std::string text =
-        isIec(asking.program().target) ? statementText(asking.program(), *key.first) : Facts::text(*key.first);
+    const std::string text = formOf(asking.program().target) == StatementForm::Expressions
+                                 ? statementText(asking.program(), *key.first)
+                                 : Facts::text(*key.first);
     // Named after what is good, because "PROVED" stands in front of it.
     asking.ask({.name = fmt::format("{}: never '{}'", text, info.text),
                 .message = fmt::format("{}: {}", text, info.text),

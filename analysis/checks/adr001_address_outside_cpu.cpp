@@ -7,6 +7,7 @@
 #include "analysis/flow/facts.hpp"
 #include "analysis/flow/operand_check.hpp"
 #include "analysis/rule.hpp"
+#include "ir/s7200/cpu.hpp"
 
 namespace rungproof {
 
@@ -21,9 +22,10 @@ Target inOtherEdition(Target target) {
   return target;
 }
 
-/// The editions disagree on L60-L63 and on SM166-SM179 of the 221 without a change of the hardware (s7200 C2, C7).
+/// The editions of the manual disagree on L60-L63 and on SM166-SM179 of the 221 without a change of the hardware (s7200
+/// C2, C7).
 bool isDisputed(const Target& target, Area area, Width width, std::uint32_t offset) {
-  if (isSmart(target) || (area != Area::L && area != Area::SM)) return false;
+  if (editionModel(target.edition).isFirmware || (area != Area::L && area != Area::SM)) return false;
   return addressExists(inOtherEdition(target), area, width, offset, 0);
 }
 

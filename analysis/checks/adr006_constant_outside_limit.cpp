@@ -32,7 +32,7 @@ void checkConstant(const Facts& facts, FindingSink& sink, const Instruction& ins
     const Cpu cpu = facts.target().cpu;
     if ((instruction.desc->cpus & cpuBit(cpu)) == 0) return;
     // Some CPU of the family has it: ADR009 asks whether this one has.
-    if (valueIsInRange(desc, value, familyOf(cpu))) return;
+    if (valueIsInRange(desc, value, seriesOf(cpu))) return;
     const std::string limits = rangesText(desc, cpu);
     report(fmt::format("{} of {} must be {}, not {}", desc.name, Facts::text(instruction), limits, operand.value))
         .help = fmt::format("the limit stands with the instruction ({}); error 0092 or 0090 at download",

@@ -33,7 +33,7 @@ class Checker {
                          editionText(target.edition)))
           .severity = Severity::Warning;
     }
-    if (needsEthernet(desc) && isSmart(target)) ethernet(instruction);
+    if (needsEthernet(desc) && (desc.cpus & seriesOf(target.cpu)) != 0) ethernet(instruction);
     const std::size_t count = std::min<std::size_t>(instruction.operands.size(), desc.operandCount);
     for (std::size_t i = 0; i < count; ++i) operand(instruction, i);
     if (roleOf(instruction) == Role::Todr || roleOf(instruction) == Role::Todw) clock(instruction);
@@ -74,7 +74,7 @@ class Checker {
     if ((role == Role::Hsc || role == Role::Hdef) && i == 0) return fastCounter(instruction, operand, value);
     if (desc.type == Type::Subroutine) return subroutine(instruction, operand, value);
     if (desc.name == "EVNT") return event(instruction, operand, value);
-    if (!desc.hasRanges() || !valueIsInRange(desc, operand.value, familyOf(facts_.target().cpu)) ||
+    if (!desc.hasRanges() || !valueIsInRange(desc, operand.value, seriesOf(facts_.target().cpu)) ||
         valueIsInRange(desc, operand.value, cpuBit(facts_.target().cpu)))
       return;
     report(operand.span, fmt::format("{} of {} must be {} on the {}, not {} ({})", desc.name, Facts::text(instruction),
@@ -95,8 +95,7 @@ class Checker {
     Finding& finding = report(operand.span, fmt::format("the {} has no interrupt event {}, which {} names (001:5366)",
                                                         cpu(), number, Facts::text(instruction)));
     finding.address = toString(operand);
-    const bool isUnlisted = number == 14 || number == 15 || (number >= 39 && number <= 42);
-    if (isSmart(facts_.target()) && isUnlisted) finding.severity = Severity::Warning;  // in no list, in none refused
+    if (contains(features_.unlistedEvents, number)) finding.severity = Severity::Warning;
   }
 
   void subroutine(const Instruction& instruction, const Operand& operand, int number) {

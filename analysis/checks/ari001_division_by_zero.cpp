@@ -81,7 +81,7 @@ void checkAccus(const Facts& facts, FindingSink& sink) {
 }
 
 void checkAri001(const Facts& facts, FindingSink& sink) {
-  if (facts.plan().isStep7()) return checkAccus(facts, sink);
+  if (facts.form() == StatementForm::Accumulators) return checkAccus(facts, sink);
   for (const InstructionPlace& place : facts.placesOf([](const Desc& desc) { return isDivision(desc.role); })) {
     const Instruction& instruction = *place.instruction;
     if (!isDivision(roleOf(instruction)) || instruction.operands.empty()) continue;

@@ -90,7 +90,7 @@ void checkProductsOfAccus(const Facts& facts, FindingSink& sink) {
 
 void checkAri002(const Facts& facts, FindingSink& sink) {
   if (facts.hasUnreadCode()) return;
-  if (facts.plan().isStep7()) return checkProductsOfAccus(facts, sink);
+  if (facts.form() == StatementForm::Accumulators) return checkProductsOfAccus(facts, sink);
   for (const InstructionPlace& place :
        facts.placesOf([](const Desc& desc) { return isProduct(desc) || isGrowth(desc); })) {
     const Instruction& instruction = *place.instruction;

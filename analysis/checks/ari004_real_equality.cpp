@@ -10,8 +10,8 @@ namespace rungproof {
 namespace {
 
 void checkAri004(const Facts& facts, FindingSink& sink) {
-  const bool isStep7 = facts.plan().isStep7();
-  const auto mayCompare = [&](const Desc& desc) { return isStep7 || desc.execution == Execution::Compare; };
+  const bool isAny = facts.form() == StatementForm::Accumulators;  // the role of a statement says it
+  const auto mayCompare = [&](const Desc& desc) { return isAny || desc.execution == Execution::Compare; };
   for (const InstructionPlace& place : facts.placesOf(mayCompare)) {
     const Instruction& instruction = *place.instruction;
     const Desc& desc = *instruction.desc;

@@ -258,7 +258,7 @@ class StatementNumbers {
 };
 
 void checkAri008(const Facts& facts, FindingSink& sink) {
-  if (!facts.plan().isStep7()) return checkRungs(facts, sink);
+  if (facts.form() != StatementForm::Accumulators) return checkRungs(facts, sink);
   eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
     StatementNumbers numbers(facts, sink, flow);
     for (std::uint32_t at = 0; at < flow.steps.size(); ++at) numbers.step(at);

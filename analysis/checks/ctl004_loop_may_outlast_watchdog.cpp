@@ -11,7 +11,7 @@
 #include "analysis/flow/statement_paths.hpp"
 #include "analysis/flow/step7_blocks.hpp"
 #include "analysis/rule.hpp"
-#include "ir/s7200/choices.hpp"
+#include "ir/machine/choices.hpp"
 
 namespace rungproof {
 
@@ -115,7 +115,7 @@ void checkStep7Jumps(const Facts& facts, FindingSink& sink) {
 }
 
 void checkCtl004(const Facts& facts, FindingSink& sink) {
-  if (isStep7(facts.target())) return checkStep7Jumps(facts, sink);
+  if (facts.form() == StatementForm::Accumulators) return checkStep7Jumps(facts, sink);
   const double watchdog = Choices().watchdogMs() * 1000.0;
   const bool hasLoop =
       std::any_of(facts.instructions().begin(), facts.instructions().end(),

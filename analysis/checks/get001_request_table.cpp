@@ -9,8 +9,8 @@
 
 #include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
+#include "ir/machine/machine.hpp"
 #include "ir/s7200/isa/ethernet.hpp"
-#include "ir/s7200/machine.hpp"
 
 namespace rungproof {
 

@@ -6,6 +6,7 @@
 
 #include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
+#include "ir/s7200/cpu.hpp"
 
 namespace rungproof {
 

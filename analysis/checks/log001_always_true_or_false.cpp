@@ -81,7 +81,7 @@ void askCoils(Asking& asking) {
 /// One pair of questions for each condition: outputs behind the same contacts have the same power flow. Each network
 /// that has the condition is a place of its own.
 void askLog001(Asking& asking) {
-  if (asking.encoding().plan().isStep7()) return askCoils(asking);
+  if (asking.encoding().plan().form() == StatementForm::Accumulators) return askCoils(asking);
   struct Condition {
     RuleQuestion reaches, without;
     std::set<const Network*> networks;

@@ -80,7 +80,7 @@ void checkStrings(const Facts& facts, FindingSink& sink) {
 }
 
 void checkLog005(const Facts& facts, FindingSink& sink) {
-  if (facts.plan().isStep7()) return checkStrings(facts, sink);
+  if (facts.form() == StatementForm::Accumulators) return checkStrings(facts, sink);
   for (const InstructionPlace& place : facts.placesOf(isPlainCoil)) {
     const Instruction& instruction = *place.instruction;
     if (!isPlainCoil(*instruction.desc) || facts.isUnread(instruction.id) || instruction.operands.empty() ||
@@ -102,7 +102,7 @@ void checkLog005(const Facts& facts, FindingSink& sink) {
 }
 
 void askLog005(Asking& asking) {
-  if (asking.encoding().plan().isStep7()) return;
+  if (asking.encoding().plan().form() == StatementForm::Accumulators) return;
   Graph& graph = asking.graph();
   for (const Instruction* coil : asking.executed()) {
     if (!isPlainCoil(*coil->desc) || coil->operands[0].kind != OperandKind::Direct || coil->operands[0].area == Area::L)

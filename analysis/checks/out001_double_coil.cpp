@@ -48,7 +48,7 @@ void checkOut001(const Facts& facts, FindingSink& sink) {
           facts.execution().at(id).isReachable)
         coils.push_back(id);
     }
-    if (coils.size() < 2 || (facts.plan().isStep7() && excludeEachOther(facts, coils))) continue;
+    if (coils.size() < 2 || (facts.form() == StatementForm::Accumulators && excludeEachOther(facts, coils))) continue;
     const Instruction& second = facts.instruction(coils[1]);
     const std::string bit = facts.bitName(key);
     Finding& finding = sink.report(

@@ -9,6 +9,7 @@
 #include "analysis/asking/asking.hpp"
 #include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
+#include "ir/s7200/cpu.hpp"
 
 namespace rungproof {
 

@@ -4,7 +4,7 @@
 
 #include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
-#include "ir/s7200/frame.hpp"
+#include "ir/machine/frame.hpp"
 
 namespace rungproof {
 
@@ -30,23 +30,14 @@ void checkFrom(const Facts& facts, FindingSink& sink, std::uint32_t root, int al
       call->instruction->span,
       fmt::format("{} is call level {} below {}; {} {} allowed: {}", Facts::text(*call->instruction), allowed + 1,
                   facts.program().pous[root].name, allowed, allowed == 1 ? "is" : "are", names));
-  finding.help = isStep7(facts.target())
-                     ? "call from a higher level; at run time the CPU goes to STOP"
-                     : "call from a higher level; at run time the call ends with error 0008 (001:13956)";
+  finding.help = fmt::format("call from a higher level; at run time {}", facts.dialect().run.tooDeep);
 }
 
 void checkSub002(const Facts& facts, FindingSink& sink) {
   std::vector<std::uint8_t> reported(facts.program().pous.size(), 0);
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
-    const PouKind kind = facts.program().pous[block].kind;
-    if (isStep7(facts.target())) {
-      const int allowed = step7Row(facts.target().cpu).nesting;
-      if (facts.program().pous[block].type == BlockType::Ob) checkFrom(facts, sink, block, allowed, reported);
-      continue;
-    }
-    if (kind == PouKind::Main) checkFrom(facts, sink, block, static_cast<int>(mainNesting), reported);
-    if (kind == PouKind::Interrupt)
-      checkFrom(facts, sink, block, cpuFeatures(facts.target()).interruptNesting, reported);
+    const std::optional<int> allowed = facts.dialect().run.nesting(facts.target(), facts.program().pous[block]);
+    if (allowed) checkFrom(facts, sink, block, *allowed, reported);
   }
 }
 

@@ -229,7 +229,7 @@ void checkHandedOn(const Facts& facts, FindingSink& sink) {
 }
 
 void checkSub003(const Facts& facts, FindingSink& sink) {
-  if (facts.plan().isStep7()) return checkHandedOn(facts, sink);
+  if (facts.form() == StatementForm::Accumulators) return checkHandedOn(facts, sink);
   checkTables(facts, sink);
   for (const CallSite& site : facts.calls().sites()) {
     const Instruction& call = *site.instruction;

@@ -56,7 +56,7 @@ void checkOutputs(const Facts& facts, FindingSink& sink) {
 }
 
 void checkSub004(const Facts& facts, FindingSink& sink) {
-  if (facts.plan().isStep7()) return checkOutputs(facts, sink);
+  if (facts.form() == StatementForm::Accumulators) return checkOutputs(facts, sink);
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
     const Pou& pou = facts.program().pous[block];
     const Flow& flow = facts.plan().flows[block];

@@ -26,7 +26,7 @@ void checkTemps(const Facts& facts, FindingSink& sink) {
 }
 
 void checkSub005(const Facts& facts, FindingSink& sink) {
-  if (facts.plan().isStep7()) return checkTemps(facts, sink);
+  if (facts.form() == StatementForm::Accumulators) return checkTemps(facts, sink);
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
     if (facts.program().pous[block].protectedBlock || facts.hasUnreadCode(block)) continue;
     for (const LocalRead& read : localFlow(facts, block).unwritten) {

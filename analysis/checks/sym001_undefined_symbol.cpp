@@ -21,7 +21,6 @@ bool standsInUnreadRow(const Program& program, std::string_view name) {
 }
 
 void checkSym001(const Facts& facts, FindingSink& sink) {
-  if (isStep7(facts.target())) return;                       // its reader has told
   std::unordered_map<std::string_view, std::size_t> places;  // name to the number of its uses
   std::vector<const Operand*> first;
   for (const std::uint32_t id : facts.withOperand(OperandKind::Symbol)) {

@@ -45,9 +45,7 @@ void checkLocals(const Facts& facts, FindingSink& sink) {
         finding.help = "rename one of them";
         continue;
       }
-      // Sources of the S7-300/400 set symbols in quotation marks.
-      const bool isMarked = (dialectOf(facts.target()).set & dialect::S7200) == 0;
-      const Symbol* global = isMarked ? nullptr : facts.symbolNamed(local.name);
+      const Symbol* global = facts.dialect().text.quotesSymbols ? nullptr : facts.symbolNamed(local.name);
       if (global == nullptr) continue;
       Finding& finding =
           sink.report(local.span, fmt::format("local variable {} of {} hides the symbol of the same name ({})",

@@ -10,7 +10,8 @@
 #include "analysis/asking/asking.hpp"
 #include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
-#include "ir/s7200/reading.hpp"
+#include "ir/machine/reading.hpp"
+#include "ir/s7200/cpu.hpp"
 
 namespace rungproof {
 

@@ -10,6 +10,7 @@
 #include "analysis/flow/on_time.hpp"
 #include "analysis/flow/step7_blocks.hpp"
 #include "analysis/rule.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "ir/s7200/isa.hpp"
 #include "ir/s7300/statement_detail.hpp"
 
@@ -88,7 +89,7 @@ void checkOnDelays(const Facts& facts, FindingSink& sink) {
 }
 
 void checkTim008(const Facts& facts, FindingSink& sink) {
-  if (facts.plan().isStep7()) return checkOnDelays(facts, sink);
+  if (facts.form() == StatementForm::Accumulators) return checkOnDelays(facts, sink);
   checkTimerBoxes(facts, sink);
 }
 

@@ -48,7 +48,7 @@ void checkElements(const Facts& facts, FindingSink& sink) {
 
 void checkTim009(const Facts& facts, FindingSink& sink) {
   if (facts.hasHiddenCode()) return;
-  if (facts.plan().isStep7()) return checkElements(facts, sink);
+  if (facts.form() == StatementForm::Accumulators) return checkElements(facts, sink);
   std::array<bool, 512> reported{};
   for (const Access& access : facts.accesses().all()) {
     const bool isTimer = access.area == Area::T;

@@ -27,7 +27,7 @@ bool tellsOf(const Facts& facts, const Instruction& comparison, const Operand& o
                                                               Facts::text(comparison), what, facts.name(o)));
   if (o.area == Area::C) finding.severity = Severity::Note;
   finding.address = toString(o);
-  finding.help = facts.plan().isStep7()
+  finding.help = facts.form() == StatementForm::Accumulators
                      ? "use >=I or <=I; the value may pass the number between two scans (003:1020)"
                      : "use >= or <=; the value may pass the number between two scans (001:6607-6611)";
   return true;
@@ -52,7 +52,7 @@ void checkLoads(const Facts& facts, FindingSink& sink) {
 }
 
 void checkTim010(const Facts& facts, FindingSink& sink) {
-  if (facts.plan().isStep7()) return checkLoads(facts, sink);
+  if (facts.form() == StatementForm::Accumulators) return checkLoads(facts, sink);
   for (const InstructionPlace& place : facts.placesOf(isEquality)) {
     const Instruction& instruction = *place.instruction;
     if (!isEquality(*instruction.desc)) continue;

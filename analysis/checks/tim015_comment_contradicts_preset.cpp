@@ -10,6 +10,7 @@
 #include "analysis/comment/duration_text.hpp"
 #include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
+#include "ir/s7200/cpu.hpp"
 
 namespace rungproof {
 

@@ -104,7 +104,7 @@ std::vector<NetworkVerdict> editorVerdicts(const Program& program, const UnreadC
         verdict.span = part->second->span;
         continue;
       }
-      if (isIec(program.target)) continue;  // what can be read can be compiled
+      if (!dialectOf(program.target).text.keepsFaults) continue;  // what can be read can be compiled
       if (language == EditorLanguage::Stl || network.form != Form::Stl) continue;
       RungFault fault = rungFault(network);
       if (fault.at != nullptr) {

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "analysis/drawing/raise.hpp"
+#include "ir/dialect.hpp"
 #include "ir/s7200/cpu.hpp"
-#include "ir/s7300/cpu.hpp"
 
 namespace rungproof {
 
@@ -28,7 +28,7 @@ bool mayBeOfEditor(const Operand& operand) {
 /// drawings only has its output there.
 bool PictureShapes::makeKey(const Network& network) {
   key_.clear();
-  if (isStep7(target_) || !network.complete) return false;
+  if (formOf(target_) == StatementForm::Accumulators || !network.complete) return false;
   for (const Instruction& instruction : network.instructions) {
     const Desc* desc = instruction.desc;
     if (desc->control == Control::Call || desc->drawingOnly) return false;

@@ -415,8 +415,13 @@ std::string nameInReason(const Instruction& instruction) {
 }
 
 Raised raise(const Network& network, Form form, const Target& target) {
-  if (isIec(target)) return {std::nullopt, "statements of IEC 61131-3 are not drawn", nullptr};
-  return isStep7(target) ? raiseStep7(network, form) : Raising(network, form, target).run();
+  const Dialect& dialect = dialectOf(target);
+  switch (dialect.form) {
+    case StatementForm::Rungs: return Raising(network, form, target).run();
+    case StatementForm::Accumulators: return raiseStep7(network, form);
+    case StatementForm::Expressions: break;
+  }
+  return {std::nullopt, fmt::format("statements of {} are not drawn", dialect.title), nullptr};
 }
 
 }  // namespace rungproof

@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "analysis/encoding/monitor.hpp"
+#include "ir/s7200/cpu.hpp"
 
 namespace rungproof {
 

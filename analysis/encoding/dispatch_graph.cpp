@@ -1,9 +1,7 @@
 // The one place where all instruction meanings are compiled for graph nodes.
 #include "analysis/encoding/symbolic_store.hpp"
-#include "ir/iec/isa_list.hpp"
-#include "ir/s7200/dispatch.hpp"
-#include "ir/s7300/isa_list.hpp"
-#include "ir/s7300/system_block.hpp"
+#include "ir/families/instructions.hpp"
+#include "ir/machine/dispatch.hpp"
 
 namespace rungproof {
 

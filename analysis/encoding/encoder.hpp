@@ -19,8 +19,8 @@
 #include "analysis/graph/transition_system.hpp"
 #include "engine/scan_script.hpp"
 #include "engine/start_up.hpp"
-#include "ir/s7200/choices.hpp"
-#include "ir/s7200/plan.hpp"
+#include "ir/machine/choices.hpp"
+#include "ir/machine/plan.hpp"
 
 namespace rungproof {
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "analysis/encoding/symbolic_store.hpp"
-#include "ir/s7200/scan.hpp"
+#include "ir/families/run.hpp"
 
 namespace rungproof {
 

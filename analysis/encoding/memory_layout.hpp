@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "ir/s7200/frame.hpp"
-#include "ir/s7200/plan.hpp"
+#include "ir/machine/frame.hpp"
+#include "ir/machine/plan.hpp"
 
 namespace rungproof {
 

@@ -8,7 +8,7 @@
 
 #include "analysis/encoding/exact_reals.hpp"
 #include "analysis/graph/evaluate.hpp"
-#include "ir/s7200/scan.hpp"
+#include "ir/families/run.hpp"
 
 namespace rungproof {
 

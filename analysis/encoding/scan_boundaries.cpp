@@ -9,14 +9,14 @@
 #include <utility>
 
 #include "analysis/encoding/scan_encoding.hpp"
-#include "ir/s7200/timer_refresh.hpp"
+#include "ir/families/run.hpp"
 #include "ir/s7300/block.hpp"
 
 namespace rungproof {
 
 Attachments attachmentsOf(const Plan& plan) {
   Attachments result;
-  for (int event = firstBlockEvent; plan.isStep7() && event < blockEventEnd; ++event) {
+  for (int event = firstBlockEvent; plan.dialect().run.startsBlocks && event < blockEventEnd; ++event) {
     const int block = blockOfEvent(event);
     if (plan.block(blockNumber(BlockType::Ob, block)) != nullptr) result[event].insert(block);
   }
@@ -173,7 +173,7 @@ void ScanEncoding::tick(std::uint32_t instruction, std::uint32_t visit) {
     totalConstraints_.push_back(constraint);
   }
   const Node ticks = time.saturated16(graph.make(Op::Sub, w, now, consumed_));
-  if (plan_.isStep7()) {
+  if (plan_.counting() == Counting::Elements) {
     machine_.passedMs = {time.saturated(graph.make(Op::Ite, w, guard, now, consumed_), restBits)};
     const bool isAtEnd = instruction == ScanPlace::afterProgram;
     const std::set<std::uint32_t> touched = timersTouchedBy(instruction);

@@ -10,20 +10,20 @@
 
 #include "analysis/encoding/site_name.hpp"
 #include "ir/check.hpp"
+#include "ir/families/run.hpp"
 #include "ir/s7200/event.hpp"
 #include "ir/s7200/isa/clock.hpp"
 #include "ir/s7200/isa/comm.hpp"
 #include "ir/s7200/special_memory.hpp"
-#include "ir/s7200/timer_refresh.hpp"
 #include "ir/s7300/place.hpp"
 
 namespace rungproof {
 
 namespace {
 
-/// Timers of an S7-300/400 count in ms.
+/// Boxes count ticks, everything else ms.
 TimeRange timeOf(const Plan& plan, TimeRange range) {
-  range.hasBases = range.hasBases || !(plan.isStep7() || plan.isIec());
+  range.hasBases = range.hasBases || plan.counting() == Counting::Boxes;
   return range;
 }
 
@@ -89,7 +89,7 @@ void ScanEncoding::run() {
   store_.value(registerPlace(Reg::Running, 0));  // a cell, even if every scan ends the program without reading it
   devices_.begin(machine_);
   beginStatus(machine_);
-  if (!plan_.isStep7() && !plan_.isIec()) {
+  if (plan_.counting() == Counting::Boxes) {
     machine_.ticks100 = {time.ticks100()};
     refreshTimers(machine_, 10, {time.ticks10()});
   }
@@ -224,7 +224,7 @@ Node ScanEncoding::init(const Place& place) const {
 bool ScanEncoding::isRetained(const Place& place) const {
   if (!options_.initialRetentive || !place.isRegister) return false;
   return std::ranges::any_of(std::array{Area::T, Area::C}, [&](Area area) {
-    const auto registers = retainedRegisters(area, plan_.isStep7());
+    const auto registers = retainedRegisters(area, plan_.counting());
     return std::ranges::find(registers, place.reg) != registers.end() &&
            isRetentive(*options_.retentive, area, place.at);
   });
@@ -236,17 +236,17 @@ void ScanEncoding::constrainStart(const Place& place, Node node) {
     return graph.make(Op::Ult, 1, node, graph.constantNode(end, place.width));
   };
   Node legal = noNode;
-  const bool isStep7Counter = plan_.isStep7() && isRetained(place);
+  const bool isNumbered = plan_.counting() == Counting::Elements && isRetained(place);
   switch (place.reg) {
     case Reg::PhaseSecond: legal = bound(1000); break;
     case Reg::PhaseMinute: legal = bound(60000); break;
     case Reg::ClockPhase: legal = bound(clockPeriods[place.at]); break;
     case Reg::S5Rest: legal = bound(longestS5Time + 1); break;
     case Reg::CounterCurrent:
-      if (isStep7Counter) legal = bound(1000);
+      if (isNumbered) legal = bound(1000);
       break;
     case Reg::CounterBit: {
-      if (!isStep7Counter) break;
+      if (!isNumbered) break;
       const Graph::Bits value{startOfCell(registerPlace(Reg::CounterCurrent, place.at))};
       legal = graph.lnot(graph.lxor({node}, graph.lnot(graph.equal(value, graph.literal(0, 16), 16)))).node;
       break;
@@ -378,7 +378,7 @@ RoundsLeft ScanEncoding::beyondLimit(Graph::Bool condition, bool isFirst) {
   for (Graph::Bool& level : std::span(machine_.stack).first(machine_.stackLevels))
     level = graph.select(taken, {any("stack", 1)}, level);
   if (widening_.freesScr(branch)) machine_.scrActive = graph.select(taken, {any("SCR stack", 1)}, machine_.scrActive);
-  if (plan_.isStep7())
+  if (plan_.form() == StatementForm::Accumulators)
     machine_.step7.each([&](Graph::Bool& bit) { bit = graph.select(taken, {any("status bit", 1)}, bit); },
                         [&](Graph::Bits& bits, int w) { bits = graph.select(taken, {any("register", w)}, bits, w); });
   for (const Place& place : widening_.freed(branch)) store_.replace(place, any(nameOf(place), place.width), taken);

@@ -13,9 +13,9 @@
 #include "analysis/encoding/pointer_values.hpp"
 #include "analysis/encoding/routine_effects.hpp"
 #include "analysis/encoding/told_facts.hpp"
+#include "ir/families/run.hpp"
 #include "ir/s7200/call_contract.hpp"
 #include "ir/s7200/event.hpp"
-#include "ir/s7200/scan_cycle.hpp"
 
 namespace rungproof {
 

@@ -42,7 +42,7 @@ std::vector<ScanInput> scanInputsOf(const EncodedScan& scan) {
     const Node seen = countIn(scan, counter);
     if (seen != noNode) inputs.push_back({direct(Area::HC, Width::DWord, counter), seen});
   }
-  const Area analog = scan.plan().isStep7() ? Area::PI : Area::AI;
+  const Area analog = scan.plan().dialect().memory.analogInputs;
   for (const auto& [byte, sample] : scan.analogInputs()) inputs.push_back({direct(analog, Width::Word, byte), sample});
   return inputs;
 }

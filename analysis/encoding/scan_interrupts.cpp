@@ -19,9 +19,9 @@
 #include <utility>
 
 #include "analysis/encoding/scan_encoding.hpp"
+#include "ir/families/run.hpp"
 #include "ir/s7200/event_cause.hpp"
 #include "ir/s7200/isa/comm.hpp"
-#include "ir/s7200/timer_refresh.hpp"
 #include "ir/s7300/interrupt_lock.hpp"
 
 namespace rungproof {

@@ -143,7 +143,7 @@ std::optional<std::vector<std::uint64_t>> ScanEncoding::locationsInBlock(Machine
 
 /// A module may be asked that does not answer, which calls OB122; a block may be written that is protected.
 void ScanEncoding::meetUnknownErrors(Machine<Graph>& machine, bool isWrite) {
-  if (!plan_.isStep7()) return;
+  if (!plan_.dialect().memory.pointersMayMiss) return;
   const auto any = [&](const char* name) {
     const Node node = input(name, 1);
     approximate(machine.current, unresolvedReason).carriers.push_back(node);

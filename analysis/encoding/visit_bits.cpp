@@ -101,10 +101,10 @@ void ExecutionRecord::noteBits(Machine<Graph>& machine, const Instruction& instr
   Graph& graph = machine.d;
   const Desc& desc = *instruction.desc;
   std::optional<Graph::Bool> bit;
-  if (machine.plan.isStep7()) {
+  if (machine.plan.form() == StatementForm::Accumulators) {
     bit = bitOfStatement(machine, instruction);
     visit.result = machine.step7.rlo.node;
-  } else if (machine.plan.isIec()) {
+  } else if (machine.plan.form() == StatementForm::Expressions) {
     bit = bitOfExpression(machine, instruction);
     const bool hasTruth = expressionRole(instruction) == ExpressionRole::StoreBit || desc.control == Control::Jump;
     if (hasTruth && !machine.evaluation.empty()) visit.result = graph.bit(machine.evaluation.back(), 0).node;

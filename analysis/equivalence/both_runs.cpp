@@ -5,7 +5,7 @@
 
 #include "analysis/witness/state_pool.hpp"
 #include "analysis/witness/witness.hpp"
-#include "ir/s7200/reading.hpp"
+#include "ir/machine/reading.hpp"
 #include "ir/s7300/clock_memory.hpp"
 
 namespace rungproof {

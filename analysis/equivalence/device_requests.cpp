@@ -138,9 +138,9 @@ void RequestRecord::at(Machine<Graph>& m, const Instruction& instruction) {
   };
   const Graph::Bool always = graph.constant(true);
   take(graph.literal(static_cast<std::uint64_t>(role), 8), 8, always);
-  // The same numbers mean other inputs of a counter and other pulses in the other family.
+  // The same numbers mean other inputs of a counter and other pulses in another series of CPUs.
   if (to->device == Device::Counter || to->device == Device::PulseOutput)
-    take(graph.literal(isSmart(m.target) ? 1 : 0, 8), 8, always);
+    take(graph.literal(static_cast<std::uint64_t>(cpuRow(m.target.cpu).series), 8), 8, always);
   if (role == Role::Hdef && instruction.operands.size() == 2)
     take(graph.literal(static_cast<std::uint64_t>(instruction.operands[1].value), 8), 8, always);
   const std::vector<TakenField> fields = fieldsOf(*to, role);

@@ -47,23 +47,25 @@ bool isBitState(const Cell& cell) {
 
 RelationCandidates::RelationCandidates(EncodedScan& before, EncodedScan& after)
     : time_(before.time()), graph_(before.graph()) {
-  if (before.plan().isIec() != after.plan().isIec()) {
-    const bool isIecNew = after.plan().isIec();
+  const auto isOfVariables = [](EncodedScan& scan) { return scan.plan().dialect().memory.isOfVariables; };
+  const auto hasElements = [](EncodedScan& scan) { return scan.plan().counting() == Counting::Elements; };
+  if (isOfVariables(before) != isOfVariables(after)) {
+    const bool isNew = isOfVariables(after);
     addSeenEdges(before, false);
     addSeenEdges(after, true);
-    addBits(isIecNew ? before : after, isIecNew ? after : before, isIecNew);
-    addClocks(isIecNew ? after : before, isIecNew ? before : after, isIecNew);
+    addBits(isNew ? before : after, isNew ? after : before, isNew);
+    addClocks(isNew ? after : before, isNew ? before : after, isNew);
     return;
   }
-  const bool isStep7New = after.plan().isStep7();
-  if (before.plan().isStep7() == isStep7New) return;
-  EncodedScan& step7 = isStep7New ? after : before;
-  EncodedScan& s7200 = isStep7New ? before : after;
+  const bool isNew = hasElements(after);
+  if (hasElements(before) == isNew) return;
+  EncodedScan& elements = isNew ? after : before;
+  EncodedScan& boxes = isNew ? before : after;
   addSeenEdges(before, false);
   addSeenEdges(after, true);
-  addBits(s7200, step7, isStep7New);
-  addTimers(s7200, step7, isStep7New);
-  if (!step7.plan().timers.empty()) addWholeTicks();
+  addBits(boxes, elements, isNew);
+  addTimers(boxes, elements, isNew);
+  if (!elements.plan().timers.empty()) addWholeTicks();
 }
 
 RelationCandidates::Value RelationCandidates::valueOf(EncodedScan& scan, const Place& place, bool isNew) {
@@ -78,7 +80,7 @@ std::vector<RelationCandidates::CountingTimer> RelationCandidates::countingTimer
                         .running = of(Reg::TimerRunning),
                         .bit = of(Reg::TimerBit),
                         .input = of(Reg::TimerInput)};
-    if (other.plan().isStep7()) {
+    if (other.plan().counting() == Counting::Elements) {
       timer.count = of(Reg::S5Rest);
       timer.atEnd = of(Reg::S5AtEnd);
       timer.isRest = true;
@@ -98,13 +100,13 @@ std::vector<RelationCandidates::CountingTimer> RelationCandidates::countingTimer
 
 /// What the clock of a timer of IEC 61131-3 has in common with a timer of the same length, and with the bits of its own
 /// block. STATE is 0 before it runs, 1 while it runs, 2 behind that.
-void RelationCandidates::addClocks(EncodedScan& iec, EncodedScan& other, bool isIecNew) {
+void RelationCandidates::addClocks(EncodedScan& variables, EncodedScan& other, bool isVariablesNew) {
   struct Clock {
     Place state, elapsed;
   };
   std::vector<Clock> clocks;
   std::set<std::uint64_t> lengths;
-  for (const Flow& flow : iec.plan().flows) {
+  for (const Flow& flow : variables.plan().flows) {
     for (const FlowStep& step : flow.steps) {
       const Instruction& i = *step.instruction;
       const ExpressionRole role = expressionRole(i);
@@ -116,18 +118,19 @@ void RelationCandidates::addClocks(EncodedScan& iec, EncodedScan& other, bool is
         lengths.insert(static_cast<std::uint64_t>(i.operands[0].value));
     }
   }
-  std::vector<CountingTimer> timers = countingTimers(other, !isIecNew);
+  std::vector<CountingTimer> timers = countingTimers(other, !isVariablesNew);
   if (clocks.size() * timers.size() * std::max<std::size_t>(lengths.size(), 1) > mostTimerPairs) timers.clear();
-  const Value last = valueOf(iec, registerPlace(Reg::LastScan, 0), isIecNew);
-  const Value first = valueOf(iec, registerPlace(Reg::FirstScan, 0), isIecNew);
+  const Value last = valueOf(variables, registerPlace(Reg::LastScan, 0), isVariablesNew);
+  const Value first = valueOf(variables, registerPlace(Reg::FirstScan, 0), isVariablesNew);
   std::vector<Place> bits;
-  for (const Cell& cell : iec.cells()) {
+  for (const Cell& cell : variables.cells()) {
     if (isBitState(cell)) bits.push_back(cell.place);
   }
   const auto truth = [](const Read& read, const Value& value) { return Graph::Bool{read(value).node}; };
   const auto implies = [](Graph& g, Graph::Bool a, Graph::Bool b) { return g.lor(g.lnot(a), b); };
   for (const Clock& clock : clocks) {
-    const Value state = valueOf(iec, clock.state, isIecNew), elapsed = valueOf(iec, clock.elapsed, isIecNew);
+    const Value state = valueOf(variables, clock.state, isVariablesNew),
+                elapsed = valueOf(variables, clock.elapsed, isVariablesNew);
     const std::string own = nameOf(clock.state);
     const auto isIn = [=](Graph& g, const Read& r, std::uint64_t number) {
       return g.equal(r(state), g.literal(number, 8), 8);
@@ -145,7 +148,7 @@ void RelationCandidates::addClocks(EncodedScan& iec, EncodedScan& other, bool is
       if (isNear) nearby.push_back(place);
     }
     for (const Place& place : nearby) {
-      const Value bit = valueOf(iec, place, isIecNew);
+      const Value bit = valueOf(variables, place, isVariablesNew);
       for (const std::uint64_t number : {0U, 1U, 2U}) {
         candidate(fmt::format("{} is in {}", nameOf(place), number),
                   [=](Graph& g, const Read& r) { return g.lnot(g.lxor(truth(r, bit), isIn(g, r, number))); });
@@ -161,7 +164,7 @@ void RelationCandidates::addClocks(EncodedScan& iec, EncodedScan& other, bool is
       candidate(timer.name + " counts too",
                 [=](Graph& g, const Read& r) { return g.lnot(g.lxor(isIn(g, r, 1), counts(g, r))); });
       for (const Place& place : nearby) {
-        const Value bit = valueOf(iec, place, isIecNew);
+        const Value bit = valueOf(variables, place, isVariablesNew);
         candidate(fmt::format("{} is given {}", timer.name, nameOf(place)),
                   [=](Graph& g, const Read& r) { return g.equal(r(timer.input), r(bit), 1); });
       }
@@ -211,12 +214,12 @@ void RelationCandidates::addClocks(EncodedScan& iec, EncodedScan& other, bool is
   }
 }
 
-void RelationCandidates::addTimers(EncodedScan& s7200, EncodedScan& step7, bool isStep7New) {
-  if (s7200.plan().timers.size() * step7.plan().timers.size() > mostTimerPairs) return;
-  for (const TimerUse& use : s7200.plan().timers) {
-    const std::optional<std::uint64_t> preset = presetOf(s7200.plan(), use.number);
+void RelationCandidates::addTimers(EncodedScan& boxes, EncodedScan& elements, bool isElementsNew) {
+  if (boxes.plan().timers.size() * elements.plan().timers.size() > mostTimerPairs) return;
+  for (const TimerUse& use : boxes.plan().timers) {
+    const std::optional<std::uint64_t> preset = presetOf(boxes.plan(), use.number);
     if (!preset || *preset == 0 || (use.kind != TimerKind::OnDelay && use.kind != TimerKind::OffDelay)) continue;
-    const auto of = [&](Reg reg) { return valueOf(s7200, registerPlace(reg, use.number), !isStep7New); };
+    const auto of = [&](Reg reg) { return valueOf(boxes, registerPlace(reg, use.number), !isElementsNew); };
     TimerPair pair{.in = of(Reg::TimerInput),
                    .bit = of(Reg::TimerBit),
                    .running = of(Reg::TimerRunning),
@@ -228,8 +231,8 @@ void RelationCandidates::addTimers(EncodedScan& s7200, EncodedScan& step7, bool 
                    .length = *preset,
                    .unit = static_cast<std::uint64_t>(use.resolution),
                    .isOffDelay = use.kind == TimerKind::OffDelay};
-    for (const TimerUse& s5 : step7.plan().timers) {
-      const auto there = [&](Reg reg) { return valueOf(step7, registerPlace(reg, s5.number), isStep7New); };
+    for (const TimerUse& s5 : elements.plan().timers) {
+      const auto there = [&](Reg reg) { return valueOf(elements, registerPlace(reg, s5.number), isElementsNew); };
       pair.s5In = there(Reg::TimerInput);
       pair.s5Bit = there(Reg::TimerBit);
       pair.s5Running = there(Reg::TimerRunning);
@@ -301,7 +304,7 @@ void RelationCandidates::addWholeTicks() {
 }
 
 void RelationCandidates::addBits(EncodedScan& all, EncodedScan& own, bool isOwnNew) {
-  const bool haveOneMemory = !all.plan().isIec() && !own.plan().isIec();
+  const bool haveOneMemory = !all.plan().dialect().memory.isOfVariables && !own.plan().dialect().memory.isOfVariables;
   std::vector<Place> here, there;
   for (const Cell& cell : all.cells()) {
     if (isBitState(cell)) here.push_back(cell.place);

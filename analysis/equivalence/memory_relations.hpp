@@ -67,8 +67,8 @@ class RelationCandidates {
   };
 
   std::vector<CountingTimer> countingTimers(EncodedScan& other, bool isNew);
-  void addClocks(EncodedScan& iec, EncodedScan& other, bool isIecNew);
-  void addTimers(EncodedScan& s7200, EncodedScan& step7, bool isStep7New);
+  void addClocks(EncodedScan& variables, EncodedScan& other, bool isVariablesNew);
+  void addTimers(EncodedScan& boxes, EncodedScan& elements, bool isElementsNew);
   void add(const std::string& name, const TimerPair& pair);
   void addWholeTicks();
   Value ticks10() const { return {time_.ticks10(), time_.saturated16(time_.ticksWithin(10)), false}; }

@@ -266,10 +266,10 @@ Node ProgramProduct::oldValue(const Place& place, bool atEnd) {
 
 /// Of two families: what OLD has there is its own only where it uses it, and timers and counters are not alike.
 bool ProgramProduct::isSharedPlace(const Place& newPlace) {
-  const Plan &before = old_.encoding().plan(), &after = new_.encoding().plan();
-  if (before.isStep7() == after.isStep7() && before.isIec() == after.isIec()) return true;
+  const Dialect &before = old_.encoding().plan().dialect(), &after = new_.encoding().plan().dialect();
+  if (before.set == after.set) return true;
   if (newPlace.isRegister) {
-    const bool haveLastScan = (before.isStep7() || before.isIec()) && (after.isStep7() || after.isIec());
+    const bool haveLastScan = before.run.keepsLastScan && after.run.keepsLastScan;
     return !isOfTimer(newPlace.reg) && !isOfCounter(newPlace.reg) && (newPlace.reg != Reg::LastScan || haveLastScan);
   }
   for (std::uint32_t i = 0; i < newPlace.width; ++i) {

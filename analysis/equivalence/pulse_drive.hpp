@@ -5,8 +5,8 @@
 #include <array>
 #include <string_view>
 
+#include "ir/machine/register.hpp"
 #include "ir/s7200/pulse_output.hpp"
-#include "ir/s7200/register.hpp"
 
 namespace rungproof {
 

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "ir/machine/plan.hpp"
 #include "ir/program.hpp"
-#include "ir/s7200/plan.hpp"
 
 namespace rungproof {
 

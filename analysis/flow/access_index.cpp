@@ -11,7 +11,7 @@ namespace {
 
 /// Bytes of local memory that a block of the program can have.
 std::uint32_t localLength(const Program& program) {
-  if (!isStep7(program.target)) return areaSize(program.target, Area::L);
+  if (!dialectOf(program.target).memory.declaresLocals) return areaSize(program.target, Area::L);
   std::uint32_t longest = 0;
   for (const Pou& pou : program.pous) longest = std::max(longest, pou.localBytes);
   return longest;
@@ -127,7 +127,7 @@ void AccessIndex::coverPointers(const Program& program, const AccessTable& table
     if (!a.viaPointer || a.pointed == Pointed::OfCall) continue;
     (a.pointed == Pointed::Anywhere ? anywhere : within[static_cast<std::size_t>(a.area)]).add(a);
   }
-  const bool areNumbers = isStep7(program.target);  // pointers need no &
+  const bool areNumbers = dialectOf(program.target).memory.numbersArePointers;
   std::array<std::uint32_t, areaCount> from{};
   from.fill(~0U);
   bool anyAddress = false, anyUnknownCall = false;

@@ -129,7 +129,7 @@ bool givesBlockActuals(const Program& program) {
 }
 
 std::vector<std::string> assumptionsOfActuals(const Facts& facts) {
-  return facts.plan().isStep7() ? ActualWays(facts).texts() : std::vector<std::string>{};
+  return facts.dialect().memory.hasDataBlocks ? ActualWays(facts).texts() : std::vector<std::string>{};
 }
 
 }  // namespace rungproof

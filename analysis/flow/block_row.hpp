@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ir/s7200/plan.hpp"
+#include "ir/machine/plan.hpp"
 
 namespace rungproof {
 

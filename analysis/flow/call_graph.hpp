@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "ir/machine/plan.hpp"
 #include "ir/program.hpp"
-#include "ir/s7200/plan.hpp"
 
 namespace rungproof {
 

@@ -128,7 +128,7 @@ std::optional<Exclusion::Demand> Exclusion::comparison(const Instruction& contac
 
 /// What the top of the stack demands in front of an instruction of the network, if it is to be 1.
 Exclusion::Way Exclusion::behind(const Network& network, std::size_t at, int depth) {
-  if (isStep7(facts_.target())) return {};  // its statements have no rungs
+  if (facts_.form() == StatementForm::Accumulators) return {};  // its statements have no rungs
   std::vector<Way> levels;
   const auto top = [&]() -> Way& {
     if (levels.empty()) levels.emplace_back();

@@ -97,6 +97,8 @@ class Facts {
   const Program& program() const { return program_; }
   const Target& target() const { return program_.target; }
   const Plan& plan() const { return plan_; }
+  const Dialect& dialect() const { return plan_.dialect(); }
+  StatementForm form() const { return plan_.form(); }
   const Surroundings& surroundings() const { return surroundings_; }
   /// What a panel or a network writes, as it was declared; tags of a panel are part of it.
   std::span<const ExternalRange> externals() const { return externals_; }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "analysis/flow/statement_paths.hpp"
-#include "ir/s7300/registers.hpp"
+#include "ir/machine/statement_registers.hpp"
 
 namespace rungproof {
 

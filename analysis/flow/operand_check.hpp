@@ -30,8 +30,6 @@ std::string_view widthName(Width width);
 Width accessWidth(const OperandDesc& desc, const Operand& operand);
 /// Whether a value lies in a range of the descriptor that holds for the CPU; true if there are no ranges.
 bool valueIsInRange(const OperandDesc& desc, std::int64_t value, CpuSet cpus);
-/// All CPUs of the family.
-constexpr CpuSet familyOf(Cpu cpu) { return isSmart(cpu) ? smartCpus : s7200Cpus; }
 /// "0 to 12, 19 to 23": the ranges of the CPU.
 std::string rangesText(const OperandDesc& desc, Cpu cpu);
 /// Lowest and highest constant that the type holds, signed and unsigned spellings together.

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "ir/s7200/frame.hpp"
+#include "ir/machine/frame.hpp"
 
 namespace rungproof {
 

@@ -349,7 +349,7 @@ class Run {
 
 StackRun::StackRun(const Program& program, const Plan& plan, const KnownBits& known) {
   points_.resize(program.instructionCount());
-  if (plan.isStep7() || plan.isIec()) return;  // has no such stack (analysis/flow/logic_string.hpp)
+  if (plan.form() != StatementForm::Rungs) return;  // has no such stack (analysis/flow/logic_string.hpp)
   Run run(program.target, known, faults_, points_, inputs_);
   for (const Flow& flow : plan.flows) run.block(flow);
   // A network with an unreadable line has lost an instruction; what the stack misses there says nothing.

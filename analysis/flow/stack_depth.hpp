@@ -14,8 +14,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "ir/machine/plan.hpp"
 #include "ir/program.hpp"
-#include "ir/s7200/plan.hpp"
 
 namespace rungproof {
 

@@ -23,7 +23,7 @@
 
 #include "analysis/graph/decisions.hpp"
 #include "ir/domain.hpp"
-#include "ir/s7200/machine.hpp"
+#include "ir/machine/machine.hpp"
 
 namespace rungproof {
 

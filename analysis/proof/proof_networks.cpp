@@ -65,7 +65,7 @@ Tie tieOf(StatementRole role) {
 class NetworksBehind::Walk {
  public:
   Walk(const Facts& facts, const EncodedScan& encoding)
-      : facts_(facts), writes_(facts), isStep7_(isStep7(facts.target())) {
+      : facts_(facts), writes_(facts), hasDataBlocks_(facts.dialect().memory.hasDataBlocks) {
     for (const Cell& cell : encoding.cells()) {
       if (cell.kind == CellKind::State) stateOf_.emplace(indexOf(cell.start), cell.place);
     }
@@ -155,12 +155,12 @@ class NetworksBehind::Walk {
     const auto isGiven = [&](const Access& access) {
       if (!access.write) return false;
       if (access.viaPointer && access.pointed == Pointed::OfCall) return true;
-      const bool isOwn = isStep7_ ? hasInstance(pou) && access.viaPointer && access.area == Area::DB
-                                  : !access.viaPointer && access.area == Area::L;
+      const bool isOwn = hasDataBlocks_ ? hasInstance(pou) && access.viaPointer && access.area == Area::DB
+                                        : !access.viaPointer && access.area == Area::L;
       return isOwn && std::ranges::any_of(pou.locals, [&](const LocalVariable& local) {
                const bool isBack = local.section == VarSection::Output || local.section == VarSection::InOut;
                const std::uint32_t size = std::max<std::uint32_t>(
-                   isStep7_ ? local.size : static_cast<std::uint32_t>(bytes(widthOf(local.type))), 1);
+                   hasDataBlocks_ ? local.size : static_cast<std::uint32_t>(bytes(widthOf(local.type))), 1);
                return isBack && access.offset < local.address.offset + size &&
                       local.address.offset < access.offset + std::max<std::uint32_t>(access.possibleLength(), 1);
              });
@@ -178,7 +178,7 @@ class NetworksBehind::Walk {
     const Part& part = parts_[at];
     const bool hasOneBefore = at > 0 && parts_[at - 1].block == part.block;
     if (hasOneBefore && takesFromBelow(facts_, part.instructions)) addPart(at - 1);
-    if (!isStep7_) return;
+    if (facts_.form() != StatementForm::Accumulators) return;
     if (hasOneBefore && !beginsAnew(statementRole(facts_.instruction(part.instructions.front())))) addPart(at - 1);
     addTied(part.block, Tie::Relay);
     for (const std::uint32_t id : part.instructions) {
@@ -238,7 +238,7 @@ class NetworksBehind::Walk {
 
   const Facts& facts_;
   const WrittenPlaces writes_;
-  bool isStep7_;
+  bool hasDataBlocks_;
   std::unordered_map<std::uint32_t, Place> stateOf_;  ///< by node index of its start
   std::vector<Place> kept_;
   std::vector<std::size_t> seen_;    ///< parts, by the question at hand

@@ -581,9 +581,7 @@ ProofRun proveAll(const Program& program, const PropertySet& set, const ProverOp
   } else {
     result.assumptions = environmentTexts(program, set, options.time, options.choices);
   }
-  ProofRun left;
-  left.results = std::move(open);
-  result = merged(set, std::move(result), std::move(left));
+  result = merged(set, std::move(result), ProofRun{std::move(open), {}, {}, {}});
   if (forAll.empty()) result.assumptions.push_back("what is not executed does not stop the CPU");
   return result;
 }
@@ -599,8 +597,9 @@ ProofRun prove(const Program& program, const PropertySet& set, const ProverOptio
   const Facts facts(program, set.externals);
   PropertySet open = set;
   std::ranges::move(externalsOfCalls(facts), std::back_inserter(open.externals));
-  std::optional<UnreadCode> unread;  // of a caller that does not look for it
-  if (options.unread == nullptr && !isStep7(program.target)) options.unread = &unread.emplace(program, options.choices);
+  std::optional<UnreadCode> unread;  // of a caller that does not look for it; accumulators hand on what is left out
+  if (formOf(program.target) != StatementForm::Accumulators && options.unread == nullptr)
+    options.unread = &unread.emplace(program, options.choices);
   ProofRun run = proveAll(program, open, options, progress);
   std::ranges::move(assumptionsOfCalls(facts), std::back_inserter(run.assumptions));
   return run;

@@ -136,11 +136,13 @@ std::optional<std::string> missingBlocksText(const Program& program) {
 std::vector<std::string> environmentTexts(const Program& program, const PropertySet& set, const TimeRange& time,
                                           const Choices& choices) {
   std::vector<std::string> texts;
-  const bool isOfVariables = isIec(program.target);
-  if (isOfVariables) texts.emplace_back("program of IEC 61131-3");
-  if (!isOfVariables)
+  const Dialect& dialect = dialectOf(program.target);
+  const bool isOfVariables = dialect.memory.isOfVariables;
+  if (!dialect.text.hasProducts)
+    texts.push_back(fmt::format("program of {}", dialect.title));
+  else
     texts.push_back(
-        isSmart(program.target)
+        editionModel(program.target.edition).isFirmware
             ? fmt::format("CPU {}, {}", cpuName(program.target.cpu), editionName(program.target.edition))
             : fmt::format("CPU {}, {} edition", cpuName(program.target.cpu), editionName(program.target.edition)));
   texts.push_back(time.low == time.high ? fmt::format("every scan lasts {} ms", time.low)
@@ -155,7 +157,7 @@ std::vector<std::string> environmentTexts(const Program& program, const Property
   const bool hasHotStart =
       std::ranges::any_of(program.pous, [](const Pou& pou) { return pou.number == blockNumber(BlockType::Ob, 101); });
   if (hasHotStart && choices.is(Choice::HotRestart, "excluded")) texts.emplace_back("no hot restart comes");
-  if (isStep7(program.target)) {
+  if (dialect.run.startsBlocks) {
     if (std::optional<std::string> text = missingBlocksText(program)) texts.push_back(*std::move(text));
     std::ranges::move(s7300::startTexts(program), std::back_inserter(texts));
   }

@@ -21,7 +21,8 @@ std::uint32_t bitsOfAccess(const Access& access) {
 
 }  // namespace
 
-WrittenPlaces::WrittenPlaces(const Facts& facts) : facts_(facts), isStep7_(isStep7(facts.target())) {
+WrittenPlaces::WrittenPlaces(const Facts& facts)
+    : facts_(facts), numbersArePointers_(facts.dialect().memory.numbersArePointers) {
   for (const std::uint32_t i : facts.index().wide()) {
     const Access& access = facts.access(i);
     if (!access.write && !access.maybe) continue;
@@ -29,7 +30,7 @@ WrittenPlaces::WrittenPlaces(const Facts& facts) : facts_(facts), isStep7_(isSte
     if (access.viaPointer && access.pointed == Pointed::OfCall) continue;
     (access.viaPointer ? pointed_ : long_).push_back(i);
   }
-  if (!isStep7_) return;
+  if (!facts.dialect().memory.hasDataBlocks) return;
   findNesting();
   findMovedInstances();
 }

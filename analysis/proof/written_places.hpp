@@ -33,13 +33,13 @@ class WrittenPlaces {
   bool mayMeetInData(const Access& read, const Access& write) const;
   /// Whether the pointer of one of the two may lead to what the other one means.
   bool mayMeet(const Access& read, const Access& write) const;
-  bool mayBeReached(Area area) const { return isStep7_ ? !addressedByNumber(area) : mayBePointedTo(area); }
+  bool mayBeReached(Area area) const { return numbersArePointers_ ? !addressedByNumber(area) : mayBePointedTo(area); }
   static bool overlap(const Access& a, const Access& b);
   /// The accesses of a cell that write; many may only read it.
   const std::vector<std::uint32_t>& writesAt(std::uint32_t cell) const;
 
   const Facts& facts_;
-  bool isStep7_;
+  bool numbersArePointers_;
   bool movesInstances_ = false;            ///< any function block may work on any data block
   std::vector<std::vector<bool>> nested_;  ///< by block, by block: has it as a multi-instance, at any depth
   std::vector<std::uint32_t> pointed_;     ///< writes through pointers

@@ -345,7 +345,7 @@ std::string_view faultKindName(FaultKind kind) {
 }
 
 std::vector<Fault> faultsOf(const Program& program) {
-  return isIec(program.target) ? ExpressionFaults(program).run() : Finder(program).run();
+  return formOf(program.target) == StatementForm::Expressions ? ExpressionFaults(program).run() : Finder(program).run();
 }
 
 Program planted(const Program& program, const Fault& fault) {

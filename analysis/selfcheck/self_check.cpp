@@ -33,7 +33,7 @@ class Checker {
     for (const ProofResult& result : before) {
       if (!result.builtin) before_[result.property.name] = result.outcome;
     }
-    if (isIec(program.target)) outputs_ = outputVariables(program);
+    if (dialectOf(program.target).memory.isOfVariables) outputs_ = outputVariables(program);
     // A property without a good verdict cannot get a worse one; it would only take time.
     std::erase_if(asked_.properties, [&](const Property& property) {
       const auto known = before_.find(property.name);

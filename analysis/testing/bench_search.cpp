@@ -321,7 +321,7 @@ class BenchSearch::Impl {
         for (; scans < middle; ++scans) {
           if (!scanObserved()) return false;
         }
-      } else if (isIec(program_.target)) {
+      } else if (dialectOf(program_.target).run.counting == Counting::Instances) {
         scans = longerRest(last, scans, 2 * changed + margin);
       }
     }
@@ -363,11 +363,11 @@ class BenchSearch::Impl {
     std::swap(now, lastParts_);
     return restingScans_ < scansAtRest;
   }
-  /// IEC 61131-3: a byte of a clock that always runs and that nothing reads.
+  /// Of instances: a byte of a clock that always runs and that nothing reads.
   bool isUnread(Area area, std::uint32_t byte) const { return area == Area::V && unread_.contains(byte); }
 
   void findUnreadClocks() {
-    if (!isIec(program_.target)) return;
+    if (dialectOf(program_.target).run.counting != Counting::Instances) return;
     std::set<std::uint32_t> loaded;
     const auto each = [&](const auto& visit) {
       for (const Pou& pou : program_.pous) {

@@ -82,7 +82,7 @@ class GoalEncoder {
   }
 
   std::optional<Graph::Bool> power(const Visit& visit, std::size_t level) const {
-    if (map_.plan().isStep7() || map_.plan().isIec())
+    if (map_.plan().form() != StatementForm::Rungs)
       return visit.result == noNode ? std::nullopt : std::optional(Graph::Bool{visit.result});
     if (level >= visit.flow.size() || visit.flow[level] == noNode) return std::nullopt;
     return Graph::Bool{visit.flow[level]};
@@ -95,7 +95,7 @@ class GoalEncoder {
         if (map_.isUnconditional(id)) return graph_.constant(true);
         std::optional<Graph::Bool> any;
         const std::size_t levels =
-            map_.plan().isStep7() || map_.plan().isIec() ? 1 : visit.instruction->desc->stack.needs;
+            map_.plan().form() == StatementForm::Rungs ? visit.instruction->desc->stack.needs : 1;
         for (std::size_t level = 0; level < levels; ++level) {
           const std::optional<Graph::Bool> flows = power(visit, level);
           if (!flows) return std::nullopt;

@@ -42,7 +42,7 @@ class MutantFinder {
   }
 
   std::vector<Mutant> run() {
-    if (!isIec(program_.target)) {
+    if (!isOfExpressions_) {
       for (Fault& fault : faultsOf(program_)) {
         std::string kind(faultKindName(fault.kind));
         mutants_.push_back({std::move(kind), std::move(fault)});
@@ -60,11 +60,7 @@ class MutantFinder {
   }
 
  private:
-  bool isForeign(const Pou& pou) const {
-    if (isIec(program_.target))
-      return pou.isBuiltIn || pou.kind == PouKind::Main || pou.name.find(".(actions") != std::string::npos;
-    return pou.type != BlockType::None && program_.sources->file(pou.span.file).name() == pou.name;
-  }
+  bool isForeign(const Pou& pou) const { return dialectOf(program_.target).text.isForeign(program_, pou); }
 
   void plant(std::string kind, const Instruction& given, const Desc& desc, Operands operands) {
     Fault fault;
@@ -88,14 +84,15 @@ class MutantFinder {
     const Operand& given = instruction.operands[index];
     Operands changed = instruction.operands;
     if (given.kind == OperandKind::Direct && given.width == Width::Bit && bits_.contains(given.area) &&
-        (!isIec(program_.target) || expressionRole(instruction) == ExpressionRole::LoadBit)) {
+        (!isOfExpressions_ || expressionRole(instruction) == ExpressionRole::LoadBit)) {
       const std::set<std::pair<std::uint32_t, std::uint8_t>>& others = bits_.at(given.area);
       auto next = others.upper_bound({given.offset, given.bit});
       if (next == others.end()) next = others.begin();
       if (*next == std::pair(given.offset, given.bit)) return;
       changed[index].offset = next->first;
       changed[index].bit = next->second;
-      const Symbol* other = isIec(program_.target) ? program_.symbolOf(changed[index]) : nullptr;
+      const Symbol* other =
+          dialectOf(program_.target).memory.isOfVariables ? program_.symbolOf(changed[index]) : nullptr;
       changed[index].text = other == nullptr ? ShortText() : ShortText(other->name);
       plant("operand", instruction, *instruction.desc, std::move(changed));
       return;
@@ -105,12 +102,13 @@ class MutantFinder {
                            statementRole(instruction) == StatementRole::Load);
     const bool isConst =
         index == 0 && expressionRole(instruction) == ExpressionRole::Constant && !isOfTruth(instruction);
-    if (!(isNumber && !isIec(program_.target)) && !isConst) return;
+    if (!(isNumber && !isOfExpressions_) && !isConst) return;
     changed[index].value = given.value + 1;
     plant("constant", instruction, *instruction.desc, std::move(changed));
   }
 
   const Program& program_;
+  const bool isOfExpressions_ = formOf(program_.target) == StatementForm::Expressions;
   std::map<Area, std::set<std::pair<std::uint32_t, std::uint8_t>>> bits_;
   std::uint32_t pou_ = 0, network_ = 0, index_ = 0;
   std::vector<Mutant> mutants_;
@@ -134,8 +132,8 @@ std::vector<Mutant> mutantsOf(const Program& program) { return MutantFinder(prog
 Equivalence compareWithFault(const Program& program, const Program& mutant, const PropertySet& set,
                              const ProverOptions& prover) {
   EquivalenceOptions both;
-  // Outputs of IEC 61131-3 programs are variables, whose places a mutant keeps.
-  if (isIec(program.target)) {
+  // A mutant keeps the places of variables.
+  if (dialectOf(program.target).memory.isOfVariables) {
     for (const TraceSignal& output : testSignalsOf(program, set).outputs) both.observed.push_back(output.operand);
   }
   both.prover = prover;

@@ -8,8 +8,8 @@
 #include "ir/dialect.hpp"
 #include "ir/iec/expression_role.hpp"
 #include "ir/iec/variables.hpp"
+#include "ir/machine/plan.hpp"
 #include "ir/overlap.hpp"
-#include "ir/s7200/plan.hpp"
 #include "ir/written_operand.hpp"
 
 namespace rungproof {
@@ -26,30 +26,31 @@ bool isWithin(const Operand& operand, const ExternalRange& range) {
   return bitOf(operand) >= bitOf(range.first) && endOf(operand) <= endOf(range.last);
 }
 
-/// Constants of instructions that name the operand too, which compares or computes with it, and all others of IEC
-/// programs, whose comparisons take both from the stack.
+/// Constants of instructions that name the operand too, which compares or computes with it, and all others of
+/// expressions, whose comparisons take both from the stack.
 std::vector<double> valuesFor(const Program& program, const TraceSignal& signal) {
   if (signal.type == SignalType::Bool) return {0, 1};
   std::set<double> constants;
-  const bool isStack = isIec(program.target) || isStep7(program.target);
+  const StatementForm form = formOf(program.target);
+  const bool isStack = form != StatementForm::Rungs, isOfExpressions = form == StatementForm::Expressions;
   for (const Pou& pou : program.pous) {
-    if (isIec(program.target) && pou.isBuiltIn) continue;
+    if (isOfExpressions && pou.isBuiltIn) continue;
     std::size_t sinceNamed = linesOfComparison;  // networks since the operand was named; of a list each is a line
     for (const Network& network : pou.networks) {
       const bool names = std::ranges::any_of(network.instructions, [&](const Instruction& i) {
         return std::ranges::any_of(i.operands, [&](const Operand& o) { return overlaps(o, signal.operand); });
       });
       sinceNamed = names ? 0 : sinceNamed + 1;
-      const bool isNear = isIec(program.target) && sinceNamed < linesOfComparison;
+      const bool isNear = isOfExpressions && sinceNamed < linesOfComparison;
       if (!names && !isNear) continue;
       for (const Instruction& i : network.instructions) {
         const bool namesIt =
             std::ranges::any_of(i.operands, [&](const Operand& o) { return overlaps(o, signal.operand); });
         if (!isStack && !namesIt) continue;
-        const bool isWidthOnly = isIec(program.target) && expressionRole(i) != ExpressionRole::Constant;
+        const bool isWidthOnly = isOfExpressions && expressionRole(i) != ExpressionRole::Constant;
         if (isWidthOnly) continue;
         for (const Operand& o : i.operands) {
-          const bool isWidth = isIec(program.target) && &o != i.operands.data();
+          const bool isWidth = isOfExpressions && &o != i.operands.data();
           if (o.kind == OperandKind::Constant && !isWidth)
             constants.insert(numberOf(static_cast<std::uint64_t>(o.value), signal.type, signal.width()));
         }
@@ -75,11 +76,11 @@ std::vector<double> valuesFor(const Program& program, const TraceSignal& signal)
 
 TestSignals testSignalsOf(const Program& program, const PropertySet& set) {
   TestSignals result;
-  const bool isOfIec = isIec(program.target);
+  const bool isOfVariables = dialectOf(program.target).memory.isOfVariables;
   const ProgramOutputs given(program);
   for (TraceSignal& signal : touchedSignals(program)) {
     const Operand& operand = signal.operand;
-    if (isOfIec && signal.name.find("__") != std::string::npos) continue;  // of a chart
+    if (isOfVariables && signal.name.find("__") != std::string::npos) continue;  // of a chart
     const bool isExternal =
         std::ranges::any_of(set.externals, [&](const ExternalRange& r) { return isWithin(operand, r); });
     const bool isTerminal = operand.area == Area::I || operand.area == Area::AI || operand.area == Area::PI;
@@ -89,8 +90,9 @@ TestSignals testSignalsOf(const Program& program, const PropertySet& set) {
       if (!isKnown) result.inputs.push_back({signal, valuesFor(program, signal)});
       continue;
     }
-    const bool isOutput = isOfIec ? given.contains(operand)
-                                  : operand.area == Area::Q || operand.area == Area::AQ || operand.area == Area::PQ;
+    const bool isOutput = isOfVariables
+                              ? given.contains(operand)
+                              : operand.area == Area::Q || operand.area == Area::AQ || operand.area == Area::PQ;
     if (isOutput && isWritten(program, operand, Actuals::Written)) result.outputs.push_back(signal);
     const bool isMemory = operand.area != Area::T && operand.area != Area::SM && operand.area != Area::HC &&
                           operand.area != Area::AC && signal.type != SignalType::Real;
@@ -137,8 +139,8 @@ bool dependsOnTime(const Program& program) {
 
 bool hasEventsOrDevices(const Program& program) {
   const Plan plan(program);
-  // An S7-200 has the timed events 10 and 11 always; they come only once ATCH has attached them.
-  if (isStep7(program.target) && !plan.timedEvents.empty()) return true;
+  // The timed events 10 and 11 of an S7-200 come only once ATCH has attached them.
+  if (dialectOf(program.target).run.startsBlocks && !plan.timedEvents.empty()) return true;
   for (const Pou& pou : program.pous) {
     if (pou.kind == PouKind::Interrupt) return true;
     for (const Network& network : pou.networks) {

@@ -123,8 +123,8 @@ class Cone {
 }  // namespace
 
 std::vector<bool> outsideCone(const Facts& facts, std::span<const PlaceRow> places) {
-  // Registers of an S7-300/400 are handed on over networks, and jumps of IEC 61131-3 lead over them.
-  if (isStep7(facts.target()) || isIec(facts.target())) return {};
+  // Accumulators are handed on over networks, and jumps between expressions lead over them.
+  if (facts.form() != StatementForm::Rungs) return {};
   Cone cone(facts);
   for (const PlaceRow& row : places) cone.add(row);
   return cone.spread() ? cone.outside() : std::vector<bool>{};

@@ -55,7 +55,7 @@ bool neverActs(const Facts& facts, std::uint32_t instruction) {
 
 std::vector<bool> blocksThatMayRun(const Facts& facts) {
   const Program& program = facts.program();
-  if (program.main() == nullptr || isStep7(program.target)) {
+  if (program.main() == nullptr || facts.dialect().run.startsBlocks) {
     std::vector<bool> all(program.pous.size(), true);
     for (std::uint32_t b = 0; program.main() != nullptr && b < all.size(); ++b)
       all[b] = program.pous[b].kind == PouKind::Main || facts.calls().reachedFromMain(b) ||
@@ -139,7 +139,7 @@ std::vector<std::string> assumptionsOfCalls(const Facts& facts) {
     }
   }
   std::ranges::for_each(assumptionsOfActuals(facts), say);
-  if (!isStep7(facts.target())) return texts;
+  if (!facts.dialect().text.hasSystemBlocks) return texts;
   for (const std::string& name : facts.program().declarations->absentInstances)
     say(fmt::format("the instance \"{}\", which no file holds, begins with the start values of its block", name));
   const std::vector<bool> mayRun = blocksThatMayRun(facts);

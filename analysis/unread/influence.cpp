@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "ir/s7200/cpu.hpp"
+
 namespace rungproof {
 
 namespace {

@@ -70,7 +70,7 @@ class UnreadCode::Collector {
     ofOperands();
     ofUncovered();
     ofBlocks();
-    if (isStep7(program_.target)) ofStep7();
+    if (facts_.dialect().run.startsBlocks) ofStartedBlocks();
     if (program_.declarations != nullptr) ofOpenBlocks();
   }
 
@@ -95,7 +95,7 @@ class UnreadCode::Collector {
     constexpr std::string_view ofDeclarations[] = {"SYN042", "SYN043", "SYN051"};  // frontend/stl/syntax_message.cpp
     if (finding.network != 0 || std::ranges::find(ofDeclarations, finding.rule) == std::end(ofDeclarations))
       return false;
-    for (std::uint32_t block = 0; isStep7(program_.target) && block < program_.pous.size(); ++block) {
+    for (std::uint32_t block = 0; facts_.dialect().memory.hasDataBlocks && block < program_.pous.size(); ++block) {
       const Pou& pou = program_.pous[block];
       if (!finding.span.beginsIn(pou.span) || (pou.type != BlockType::Fc && pou.type != BlockType::Fb)) continue;
       const auto isInstance = [&](int block7) { return pou.type == BlockType::Fb && block7 == pou.number; };
@@ -111,7 +111,7 @@ class UnreadCode::Collector {
   /// Whether the statements of a network of an S7-300/400 that is not complete say what it may write.
   bool isBounded(NetworkPlace place) const {
     const Network& network = networkAt(place);
-    return isStep7(program_.target) && !network.complete && network.mayWrite.has_value();
+    return facts_.form() == StatementForm::Accumulators && !network.complete && network.mayWrite.has_value();
   }
 
   /// The part of a network, new with that reason if it has none yet.
@@ -269,7 +269,7 @@ class UnreadCode::Collector {
 
   /// S7-300/400: blocks that the system starts, blocks without text, and what is read but not modelled. Registers are
   /// handed on over networks, so that whatever is left out may have an effect on everything.
-  void ofStep7() {
+  void ofStartedBlocks() {
     for (const Pou& pou : program_.pous) {
       if (pou.type != BlockType::Ob) continue;
       const s7300::OrganizationBlock* row = s7300::organizationBlock(numberOfBlock(pou.number));
@@ -416,7 +416,7 @@ UnreadCode::UnreadCode(const Program& program, const Choices& choices)
       instructions_ += program.pous[place.block].networks[place.network].instructions.size();
   }
   std::uint32_t everything = Influence::none;
-  if (isStep7(program.target)) {
+  if (facts_->form() == StatementForm::Accumulators) {
     auto influence = std::make_unique<StatementInfluence>(*facts_);
     addParts(*influence);
     everything = influence->everything();

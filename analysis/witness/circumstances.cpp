@@ -130,14 +130,7 @@ std::vector<std::string> assumptionsOf(const Circumstances& circumstances, const
   std::vector<std::string> texts;
   for (const Choice choice : circumstances.fixed) texts.push_back(named(choice, choices[choice]));
   texts.insert(texts.end(), circumstances.anyValues.begin(), circumstances.anyValues.end());
-  if (circumstances.mayStop)
-    texts.emplace_back(
-        isStep7(target)
-            ? "nothing is asked of a scan that an error or SFC 46 cuts off, nor in STOP (002:1278, 002:2343)"
-        : isIec(target)
-            ? "nothing is asked of a scan that an error cuts off, nor behind it"
-            : "nothing is asked of a scan that a fatal error cuts off, nor in STOP, where all outputs are off "
-              "(001:1753)");
+  if (circumstances.mayStop) texts.emplace_back(dialectOf(target).run.notAsked);
   return texts;
 }
 

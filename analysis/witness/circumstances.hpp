@@ -1,5 +1,5 @@
-// What a verdict rests on beside the program and its inputs: readings of open points (ir/s7200/choices.hpp), and where
-// the clocks stand when RUN begins. What was fixed is an assumption of the verdict; what a proof has left open it
+// What a verdict rests on beside the program and its inputs: readings of open points (ir/machine/choices.hpp), and
+// where the clocks stand when RUN begins. What was fixed is an assumption of the verdict; what a proof has left open it
 // covers; of a run it is said under which of it the run shows what it shows. Covered by
 // tests/environment/readings_test.cpp.
 #pragma once

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "ir/s7200/reading.hpp"
-#include "ir/s7200/scan_cycle.hpp"
+#include "ir/families/run.hpp"
+#include "ir/machine/reading.hpp"
 #include "ir/s7300/clock_memory.hpp"
 
 namespace rungproof {

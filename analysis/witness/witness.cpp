@@ -42,7 +42,7 @@ std::vector<StartCell> startCells(const Program& program, const Choices& choices
     }
   }
   for (const Area area : {Area::T, Area::C}) {
-    const auto registers = retainedRegisters(area, isStep7(program.target));
+    const auto registers = retainedRegisters(area, dialectOf(program.target).run.counting);
     for (std::uint32_t i = 0; i < initial.count(registers[0]); ++i) {
       const auto isOther = [&](Reg reg) { return initial.get(reg, i) != powerUp.get(reg, i); };
       if (std::ranges::any_of(registers, isOther)) cells.push_back({area, i});

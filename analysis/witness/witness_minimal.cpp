@@ -186,7 +186,7 @@ class Minimiser {
       switch (cell.area) {
         case Area::T:
         case Area::C:
-          for (const Reg reg : retainedRegisters(cell.area, isStep7(judge_.program().target)))
+          for (const Reg reg : retainedRegisters(cell.area, dialectOf(judge_.program().target).run.counting))
             initial.set(reg, cell.index, powerUp.get(reg, cell.index), true);
           break;
         default: initial.area(cell.area)[cell.index] = powerUp.area(cell.area)[cell.index];

@@ -76,8 +76,9 @@ bool branchesOnEmptyStack(const Plan& plan) {
 
 std::unique_ptr<CompiledProgram> CompiledProgram::of(const Plan& plan, const Concrete::Store& model,
                                                      const InstructionTimes& times, bool countsTime) {
-  const bool hasProgram = plan.isStep7() || plan.main() != nullptr;
-  if (!hasProgram || !canTranslate() || (plan.isIec() && !branchesOnEmptyStack(plan))) return nullptr;
+  const bool hasProgram = plan.dialect().run.runsWithoutMain || plan.main() != nullptr;
+  if (!hasProgram || !canTranslate() || (plan.form() == StatementForm::Expressions && !branchesOnEmptyStack(plan)))
+    return nullptr;
   Code code = recorded(plan, model, times, countsTime);
   const std::vector<bool> isNeeded = neededSteps(code, model.registers().size());
   std::unique_ptr<MachineCode> machineCode = translated(code, isNeeded);

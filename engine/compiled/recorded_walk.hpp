@@ -201,7 +201,7 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
   /// An address register is two of them: the area, which pointer arithmetic keeps, and the address.
   template <class OnBit, class OnBits>
   void eachPiece(OnBit&& onBit, OnBits&& onBits) {
-    if (m_.plan.isStep7()) {
+    if (m_.plan.form() == StatementForm::Accumulators) {
       m_.step7.each(onBit, [&](Bits& bits, int width) {
         if (&bits != &m_.step7.ar[0] && &bits != &m_.step7.ar[1]) return onBits(bits, width);
         Bits area = m_.d.extract(bits, 31, 24), address = m_.d.extract(bits, 23, 0);

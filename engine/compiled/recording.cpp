@@ -2,8 +2,8 @@
 #include "engine/compiled/recording.hpp"
 
 #include "engine/compiled/recorded_walk.hpp"
+#include "ir/families/run.hpp"
 #include "ir/s7200/pulse_output.hpp"
-#include "ir/s7200/scan_cycle.hpp"
 #include "ir/s7200/special_memory.hpp"
 
 namespace rungproof::compiled {
@@ -61,7 +61,7 @@ struct RecordingHooks {
     d.takeBack(first, sites);
     m.stack = stack;
     m.step7 = registers;
-    if (m.plan.isIec()) {  // as many values as it leaves; no run goes on to use them
+    if (m.plan.form() == StatementForm::Expressions) {  // as many values as it leaves; no run goes on to use them
       evaluation.resize(m.evaluation.size(), d.literal(0, 1));
       m.evaluation = std::move(evaluation);
     }
@@ -125,11 +125,11 @@ Recording recordOnce(const Plan& plan, const Concrete::Store& model, const Instr
                      Extent extent, const std::vector<SlotByte>& slots, bool isStraight, bool isAlwaysOn,
                      LoopFacts& loops) {
   Recorder recorder;
-  recorder.hasParts = extent == Extent::Program && !plan.isStep7();
+  recorder.hasParts = extent == Extent::Program && plan.form() != StatementForm::Accumulators;
   recorder.isAlwaysOn = recorder.code.expectsAlwaysOn = isAlwaysOn;
   recorder.loops = &loops;
   recorder.code.isWholeScan = extent == Extent::WholeScan;
-  recorder.code.hasTerminals = !plan.isStep7();
+  recorder.code.hasTerminals = plan.dialect().memory.hasTerminals;
   recorder.code.countsTime = countsTime;
   recorder.code.isStraight = isStraight;
   Recorder::Store store(recorder, model, slots);
@@ -182,7 +182,7 @@ Code recorded(const Plan& plan, const Concrete::Store& model, const InstructionT
   const Recording survey = record(plan, model, times, countsTime, extent, {}, false, false);
   const bool isStraight = std::ranges::none_of(survey.code.steps, [](const Step& s) { return isBranch(s.op); });
   const auto isStatus = [](const Step& s) { return s.op == CodeOp::StoreMemory && s.area == Area::SM && s.value == 0; };
-  const bool isAlwaysOn = !plan.isStep7() && !plan.isIec() && std::ranges::none_of(survey.code.steps, isStatus);
+  const bool isAlwaysOn = plan.dialect().memory.hasSpecialMemory && std::ranges::none_of(survey.code.steps, isStatus);
   return record(plan, model, times, countsTime || survey.code.hasLoops, extent, slotsFor(survey, extent), isStraight,
                 isAlwaysOn)
       .code;

@@ -77,15 +77,20 @@ Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* 
       unknownIsZero_(outside == nullptr && options_.choices.is(Choice::UnknownBits, "zero")),
       random_(options_.seed) {
   touchesQueueBits_ = touchesQueueBits(plan_);
-  if (outside_ == nullptr && plan_.isStep7()) askedModules_ = modulesAskedBy(program);
+  if (outside_ == nullptr && !plan_.dialect().memory.hasTerminals) askedModules_ = modulesAskedBy(program);
   readsStart_ = outside_ == nullptr && mayReadStartOfMain(plan_);
   startClock(Reg::PhaseHundred, options_.phaseMs);
+  const RunModel& run = plan_.dialect().run;
+  hasWatchdog_ = run.hasWatchdog;
+  watchdogTime_ = static_cast<std::uint64_t>(run.watchdogMs(program, options_.choices)) * Cost::perMs;
+  longestScan_ = static_cast<std::uint64_t>(run.longestScanMs(program.target, options_.choices)) * Cost::perMs;
   prepareCosts();
   savesMemory_ = savesMemory(target());
   longestCalm_ = watchdogTime();
   const bool hasClocks = !plan_.iecTimers.empty() || program.clockMemory ||
                          std::ranges::any_of(plan_.timers, [](const TimerUse& use) { return use.resolution == 1; });
-  hasFineTimers_ = hasClocks && !(plan_.isStep7() && options_.choices.is(Choice::S5Time, "synchronous"));
+  hasFineTimers_ =
+      hasClocks && !(plan_.counting() == Counting::Elements && options_.choices.is(Choice::S5Time, "synchronous"));
 }
 
 Simulator::~Simulator() = default;

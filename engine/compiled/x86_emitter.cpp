@@ -5,7 +5,7 @@
 #include <unordered_set>
 
 #include "ir/check.hpp"
-#include "ir/s7200/frame.hpp"
+#include "ir/machine/frame.hpp"
 
 namespace rungproof::compiled {
 

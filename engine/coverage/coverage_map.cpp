@@ -10,12 +10,13 @@ namespace rungproof {
 
 namespace {
 
-/// Blocks whose text is not the program's own: libraries, the entry of an IEC program, what runs the actions of a
-/// chart.
-bool isForeignBlock(const Program& program, const Pou& pou) {
-  if (isIec(program.target))
-    return pou.isBuiltIn || pou.kind == PouKind::Main || pou.name.find(".(actions") != std::string::npos;
-  return pou.type != BlockType::None && program.sources->file(pou.span.file).name() == pou.name;
+std::unique_ptr<LogicReader> logicReader(CoverageMap& map) {
+  switch (map.plan().form()) {
+    case StatementForm::Accumulators: return rloReader(map);
+    case StatementForm::Expressions: return expressionReader(map);
+    case StatementForm::Rungs: break;
+  }
+  return stackReader(map);
 }
 
 }  // namespace
@@ -68,12 +69,10 @@ void LogicReader::transition(StepTransition made) {
 
 CoverageMap::CoverageMap(const Program& program)
     : program_(program), plan_(program), sites_(program.instructionCount()) {
-  const std::unique_ptr<LogicReader> reader = plan_.isStep7() ? rloReader(*this)
-                                              : plan_.isIec() ? expressionReader(*this)
-                                                              : stackReader(*this);
+  const std::unique_ptr<LogicReader> reader = logicReader(*this);
   for (std::uint32_t p = 0; p < program.pous.size(); ++p) {
     const Pou& pou = program.pous[p];
-    if (isForeignBlock(program, pou) || pou.protectedBlock) continue;
+    if (plan_.dialect().text.isForeign(program, pou) || pou.protectedBlock) continue;
     reader->beginBlock(pou);
     for (std::uint32_t n = 0; n < pou.networks.size(); ++n) {
       for (const Instruction& instruction : pou.networks[n].instructions) reader->read(instruction, {p, n});
@@ -88,10 +87,10 @@ std::string CoverageMap::placeText(CoveragePlace place) const {
 
 std::string CoverageMap::instructionText(const Instruction& instruction) const {
   const auto nameOf = [&](const Operand& operand) {
-    const Symbol* symbol = plan_.isIec() ? program_.symbolOf(operand) : nullptr;
+    const Symbol* symbol = plan_.dialect().memory.isOfVariables ? program_.symbolOf(operand) : nullptr;
     return symbol != nullptr ? symbol->name : toString(operand);
   };
-  if (!plan_.isIec()) {
+  if (plan_.form() != StatementForm::Expressions) {
     std::string text(instruction.desc->stl);
     for (std::size_t i = 0; i < instruction.operands.size(); ++i)
       text += (i == 0 ? " " : ", ") + nameOf(instruction.operands[i]);

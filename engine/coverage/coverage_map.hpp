@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "engine/coverage/logic_expression.hpp"
+#include "ir/machine/plan.hpp"
 #include "ir/program.hpp"
-#include "ir/s7200/plan.hpp"
 
 namespace rungproof {
 

@@ -63,7 +63,7 @@ void CoverageRecorder::note(std::uint32_t leaf, bool value) {
 }
 
 bool CoverageRecorder::edgeGate(const Machine<Concrete>& machine, const Instruction& instruction) const {
-  if (map_.plan().isStep7()) {
+  if (map_.plan().form() == StatementForm::Accumulators) {
     const bool before = operandValue(machine, instruction, 0, machine.frame).value_or(0) != 0;
     return findsRise(instruction) ? !before : before;
   }
@@ -102,7 +102,8 @@ void CoverageRecorder::before(const Machine<Concrete>& machine, const Instructio
       note(number, edgeGate(machine, instruction));
       return;
     }
-    const bool isPlain = !map_.plan().isStep7() && instruction.desc->execution != Execution::Compare &&
+    const bool isPlain = map_.plan().form() != StatementForm::Accumulators &&
+                         instruction.desc->execution != Execution::Compare &&
                          instruction.desc->relation == Relation::None;
     if (isPlain) {
       if (const std::optional<bool> value = valueInFront(machine, instruction)) note(number, *value);
@@ -110,7 +111,9 @@ void CoverageRecorder::before(const Machine<Concrete>& machine, const Instructio
     }
     pending_ = &instruction;
     topBefore_ = machine.stack[0];
-    guess_ = map_.plan().isIec() || instruction.operands.empty() ? std::nullopt : valueInFront(machine, instruction);
+    guess_ = map_.plan().form() == StatementForm::Expressions || instruction.operands.empty()
+                 ? std::nullopt
+                 : valueInFront(machine, instruction);
     return;
   }
   judge(machine, instruction);
@@ -122,9 +125,9 @@ void CoverageRecorder::finish(const Machine<Concrete>& machine, const Instructio
   const auto leaf = static_cast<std::uint32_t>(map_.leafOf(contact.id));
   std::optional<bool> value = guess_;
   const bool isBehind = next == nullptr || next->id == contact.id + 1;
-  if (isBehind && map_.plan().isStep7()) {
+  if (isBehind && map_.plan().form() == StatementForm::Accumulators) {
     value = isComparison(statementRole(contact)) ? machine.step7.rlo : machine.step7.sta;
-  } else if (isBehind && map_.plan().isIec()) {
+  } else if (isBehind && map_.plan().form() == StatementForm::Expressions) {
     if (!machine.evaluation.empty()) value = (machine.evaluation.back() & 1) != 0;
   } else if (isBehind) {
     const Role role = roleOf(contact);
@@ -146,8 +149,8 @@ void CoverageRecorder::programEnded(const Machine<Concrete>& machine) {
 
 std::optional<bool> CoverageRecorder::power(const Machine<Concrete>& machine, const Instruction& instruction,
                                             unsigned level) const {
-  if (map_.plan().isStep7()) return machine.step7.rlo;
-  if (map_.plan().isIec()) {
+  if (map_.plan().form() == StatementForm::Accumulators) return machine.step7.rlo;
+  if (map_.plan().form() == StatementForm::Expressions) {
     const bool hasTruth =
         expressionRole(instruction) == ExpressionRole::StoreBit || instruction.desc->control == Control::Jump;
     if (!hasTruth || machine.evaluation.empty()) return std::nullopt;
@@ -161,7 +164,7 @@ void CoverageRecorder::judge(const Machine<Concrete>& machine, const Instruction
   if (const int network = map_.networkOf(instruction.id);
       network >= 0 && !networks_[static_cast<std::size_t>(network)]) {
     bool isReached = map_.isUnconditional(instruction.id);
-    const unsigned levels = map_.plan().isStep7() || map_.plan().isIec() ? 1U : instruction.desc->stack.needs;
+    const unsigned levels = map_.plan().form() == StatementForm::Rungs ? instruction.desc->stack.needs : 1U;
     for (unsigned level = 0; level < levels && !isReached; ++level)
       isReached = power(machine, instruction, level).value_or(false);
     if (isReached) {

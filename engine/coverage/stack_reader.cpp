@@ -4,7 +4,7 @@
 
 #include "engine/coverage/logic_reader.hpp"
 #include "engine/coverage/step_words.hpp"
-#include "ir/s7200/frame.hpp"
+#include "ir/machine/frame.hpp"
 
 namespace rungproof {
 

@@ -9,9 +9,9 @@
 #include "engine/compiled/recording.hpp"
 #include "engine/compiled/reduce.hpp"
 #include "ir/check.hpp"
+#include "ir/families/run.hpp"
 #include "ir/s7200/event.hpp"
 #include "ir/s7200/pulse_output.hpp"
-#include "ir/s7200/scan_cycle.hpp"
 
 namespace rungproof {
 
@@ -98,8 +98,9 @@ ManyTraces::~ManyTraces() = default;
 std::string ManyTraces::hindranceOf(lanes::Vectors most) const {
   const Plan& plan = lead_.plan();
   if (std::min(most, lanes::vectorsHere()) == lanes::Vectors::None) return "the processor has no AVX2";
-  if (plan.isIec()) return "programs of IEC 61131-3 have no vector code";
-  if (!plan.isStep7() && plan.main() == nullptr) return "there is no main program";
+  if (plan.form() == StatementForm::Expressions)
+    return fmt::format("programs of {} have no vector code", plan.dialect().title);
+  if (!plan.dialect().run.runsWithoutMain && plan.main() == nullptr) return "there is no main program";
   if (!options_.choices.is(Choice::UnknownBits, "zero")) return "bits that the manual calls unknown are not 0";
   if (lead_.asksInputModules()) return "modules are asked at once for what the image of the inputs has";
   const auto isAttached = [&](int event) {

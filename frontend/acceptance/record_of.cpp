@@ -78,7 +78,8 @@ std::vector<ChoiceInForce> choicesOf(const Settings& settings, const Program& pr
   const Choices choices = settings.choices();
   std::vector<ChoiceInForce> list;
   for (const ChoiceInfo& info : choiceTable) {
-    if ((info.choice >= Choice::IecDivZero) != isIec(program.target)) continue;  // of another family
+    if ((info.choice >= Choice::IecDivZero) != (formOf(program.target) == StatementForm::Expressions))
+      continue;  // of another family
     list.push_back({std::string(info.key), std::string(choices.valueName(info.choice)),
                     choices.isChosen(info.choice) ? settings.choiceOrigin(info.choice) : "",
                     info.kind == ChoiceKind::Fact, std::string(info.why)});
@@ -88,7 +89,7 @@ std::vector<ChoiceInForce> choicesOf(const Settings& settings, const Program& pr
 
 std::vector<NamedAddress> symbolsOf(const Program& program) {
   std::vector<NamedAddress> names;
-  if (isIec(program.target)) return names;  // variables have no other name
+  if (dialectOf(program.target).memory.isOfVariables) return names;  // variables have no other name
   for (const Symbol& symbol : program.symbols) {
     if (!symbol.address.isMemory()) continue;
     names.push_back({toString(symbol.address), symbol.name, symbol.comment});
@@ -128,7 +129,7 @@ void addRecord(Report& report, const Settings& settings, const ProgramInput& inp
   ProgramRecord record;
   record.name = nameInProject(files.front(), settings.root());
   if (const Pou* main = program.main(); main != nullptr) record.title = main->title;
-  if (!isIec(program.target)) record.cpu = cpuName(program.target.cpu);
+  if (dialectOf(program.target).text.hasProducts) record.cpu = cpuName(program.target.cpu);
   record.edition = editionText(program.target.edition);
   record.files = filesOf(settings, program, propertyFiles);
   record.options = optionsOf(settings);

@@ -101,7 +101,7 @@ Checked checked(const Context& context, const CheckArguments& arguments, const s
   Checked result;
   result.program = readInput(context, files).program;
   // The rule of one rung a network is an editor's of the S7-200 SMART.
-  const bool isOtherEditor = isStep7(result.program.target) || isIec(result.program.target);
+  const bool isOtherEditor = formOf(result.program.target) != StatementForm::Rungs;
   result.isGuessed = arguments.language.empty() && !isOtherEditor;
   result.isStl = isOtherEditor || (result.isGuessed ? isWrittenAsStl(result.program) : arguments.language == "stl");
   const UnreadCode unread(result.program);

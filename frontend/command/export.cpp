@@ -73,7 +73,7 @@ bool isExportable(const ProgramInput& input, const UnreadCode& unread, bool buil
   const std::vector<Property>& properties = input.properties.properties;
   const bool isOpen = std::ranges::any_of(
       properties, [&](const Property& property) { return !property.isGoal() && !unread.reasons(property).empty(); });
-  return isStep7(input.program.target) && !unread.isUnlimited() && !isOpen && !builtin &&
+  return formOf(input.program.target) == StatementForm::Accumulators && !unread.isUnlimited() && !isOpen && !builtin &&
          input.properties.unread.empty() && std::ranges::any_of(properties, &Property::isGoal);
 }
 

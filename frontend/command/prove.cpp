@@ -246,7 +246,7 @@ void proveInto(Report& part, const Context& context, const Settings& settings, c
     if (result.builtin) builtin.push_back(&result);
   }
   for (Finding& finding : findingsOf(builtin, Shown::Run)) part.findings.push_back(std::move(finding));
-  if (arguments.selfCheck && isIec(program.target) && outputVariables(program).empty()) {
+  if (arguments.selfCheck && dialectOf(program.target).memory.isOfVariables && outputVariables(program).empty()) {
     context.err << "rungproof: no faults are planted: the program has no output by which a fault could be seen\n";
   } else if (arguments.selfCheck && unread.empty() && properties.unread.empty()) {
     part.selfCheck = plantFaults(context, program, properties, options, proof);

@@ -234,7 +234,7 @@ class Show {
     for (const Finding& finding : report.findings) {
       if (finding.severity >= context_.settings.level()) options.findings.push_back(&finding);
     }
-    if (arguments_.form == "awl" && !isStep7(program.target)) {
+    if (arguments_.form == "awl" && formOf(program.target) != StatementForm::Accumulators) {
       failures_.push_back({"--as awl prints programs of the S7-300 and S7-400 only", files.front(), "write --as stl"});
       return;
     }
@@ -248,7 +248,9 @@ class Show {
         if (arguments_.form.empty()) options.form = formAsRead(network);
         block.networks.push_back(networkView(program, pou, network, options));
         NetworkView& view = block.networks.back();
-        if (!isIec(program.target) || view.statements.empty() || !view.statements[0].starts_with("[")) continue;
+        if (formOf(program.target) != StatementForm::Expressions || view.statements.empty() ||
+            !view.statements[0].starts_with("["))
+          continue;
         if (lit_) markSteps(pou, view);
         if (isSvg_) view.picture = chartPicture(std::exchange(view.statements, {}), lit_.has_value());
       }
@@ -269,7 +271,7 @@ class Show {
   }
   /// What a chart does and its text does not say.
   static bool isHidden(const Program& program, const Network& network) {
-    return isIec(program.target) && network.complete && network.span.length == 0;
+    return formOf(program.target) == StatementForm::Expressions && network.complete && network.span.length == 0;
   }
   /// A star at the steps of a chart that are active at the end of the scan.
   void markSteps(const Pou& pou, NetworkView& view) const {
@@ -332,7 +334,8 @@ class Show {
       simulator.scan(player.next());
     }
     for (const Symbol& symbol : program.symbols) {
-      if (isIec(program.target) && symbol.name.ends_with(".X") && simulator.read(symbol.address) != 0)
+      if (formOf(program.target) == StatementForm::Expressions && symbol.name.ends_with(".X") &&
+          simulator.read(symbol.address) != 0)
         activeSteps_.insert(iec::foldedName(symbol.name));
     }
     return true;

@@ -56,7 +56,7 @@ class XrefWriter {
       appendRows(text, rows, useColumn_);
       text += '\n';
     }
-    if (whole_ && !isIec(facts_.target())) appendFree(text, paint);
+    if (whole_ && !facts_.dialect().memory.isOfVariables) appendFree(text, paint);
     if (!tags_.empty()) appendTags(text, paint);
     if (text.ends_with("\n\n")) text.pop_back();
     return text;
@@ -147,7 +147,7 @@ class XrefWriter {
 
   void appendEntry(std::string& text, const XrefEntry& entry, const Paint& paint) const {
     const std::string symbol = symbolOf(entry);
-    const bool isVariable = isIec(facts_.target()) && !symbol.empty();  // where it lies is ours
+    const bool isVariable = facts_.dialect().memory.isOfVariables && !symbol.empty();  // where it lies is ours
     text += paint.bold(isVariable ? symbol : entryName(entry));
     if (!symbol.empty() && !isVariable) text += fmt::format("  {}", symbol);
     if (entry.area == Area::L) text += fmt::format("  in {}", facts_.program().pous[entry.block].name);

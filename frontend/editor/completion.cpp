@@ -82,7 +82,7 @@ bool fits(const OperandDesc* wanted, const Operand& address) {
 }
 
 void offerAddresses(const CheckedDocument& document, const OperandDesc* wanted, Offers& offers) {
-  const bool isQuoted = isStep7(document.program().target);
+  const bool isQuoted = dialectOf(document.program().target).text.quotesSymbols;
   for (const Symbol& symbol : document.program().symbols) {
     if (!fits(wanted, symbol.address)) continue;
     if (isQuoted)
@@ -166,8 +166,8 @@ std::string_view withoutLabel(const CheckedDocument& document, std::string_view 
   };
   const std::string_view line = bare(typed);
   const std::size_t colon = line.find(':');
-  const bool hasLabel = isStep7(document.program().target) && colon != std::string_view::npos && colon > 0 &&
-                        line.find_first_of(" \t\"") > colon;
+  const bool hasLabel = dialectOf(document.program().target).text.labelsAreNames && colon != std::string_view::npos &&
+                        colon > 0 && line.find_first_of(" \t\"") > colon;
   return hasLabel ? bare(line.substr(colon + 1)) : line;
 }
 
@@ -190,7 +190,7 @@ Json completionsAt(const CheckedDocument& document, ClientPlace place) {
     offerProperty(document, offers);
   } else if (comment != std::string_view::npos && tool != std::string_view::npos) {
     offerSuppression(typed.substr(tool + std::string_view("rungproof:").size()), offers);
-  } else if (comment == std::string_view::npos && isIec(document.program().target)) {
+  } else if (comment == std::string_view::npos && formOf(document.program().target) == StatementForm::Expressions) {
     offerVariables(document, offers);
   } else if (comment == std::string_view::npos) {
     const std::string_view line = withoutLabel(document, typed);

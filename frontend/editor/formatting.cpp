@@ -125,14 +125,15 @@ void formatStep7Statement(const Instruction& instruction, const Placed& place, L
 
 void formatStatements(LineEdits& edits) {
   const CheckedDocument& document = edits.document();
-  const bool isOfStep7 = isStep7(document.program().target);
+  const bool areNames = dialectOf(document.program().target).text.labelsAreNames;
+  const bool hasAccumulators = formOf(document.program().target) == StatementForm::Accumulators;
   std::map<std::uint32_t, std::size_t> statementsOfLine;
   const auto each = [&](const auto& visit) {
     for (const Pou& pou : document.program().pous) {
       for (const Network& network : pou.networks) {
         if (network.drawing != nullptr) continue;
         for (const Instruction& instruction : network.instructions) {
-          const bool isBareLabel = isOfStep7 && instruction.desc->control == Control::LabelMark;
+          const bool isBareLabel = areNames && instruction.desc->control == Control::LabelMark;
           if (!document.isHere(instruction.span) || instruction.span.length == 0 || isBareLabel) continue;
           if (const auto place = placed(document, instruction)) visit(instruction, *place);
         }
@@ -142,7 +143,7 @@ void formatStatements(LineEdits& edits) {
   each([&](const Instruction&, const Placed& place) { ++statementsOfLine[place.lineBegin]; });
   each([&](const Instruction& instruction, const Placed& place) {
     if (statementsOfLine[place.lineBegin] > 1 || instruction.mnemonicLength == 0) return;
-    isOfStep7 ? formatStep7Statement(instruction, place, edits) : formatStatement(instruction, place, edits);
+    hasAccumulators ? formatStep7Statement(instruction, place, edits) : formatStatement(instruction, place, edits);
   });
 }
 

@@ -105,7 +105,7 @@ std::string pageText(const CheckedDocument& document, const std::string& name, c
 std::string addressText(const CheckedDocument& document, const Operand& operand) {
   Operand address = operand;
   address.kind = OperandKind::Direct;
-  const bool isVariable = isIec(document.program().target);
+  const bool isVariable = dialectOf(document.program().target).memory.isOfVariables;
   const std::string name =
       isVariable ? toString(address) : addressName(address.area, address.width, address.offset, address.bit);
   const Symbol* const symbol = isVariable ? nullptr : document.facts().symbolOf(address);
@@ -171,7 +171,8 @@ Json hoverOfVariable(const CheckedDocument& document, std::uint32_t offset) {
 
 Json hoverAt(const CheckedDocument& document, ClientPlace place) {
   if (document.source().text().empty()) return nullptr;
-  if (isIec(document.program().target)) return hoverOfVariable(document, document.offset(place));
+  if (formOf(document.program().target) == StatementForm::Expressions)
+    return hoverOfVariable(document, document.offset(place));
   const Cursor cursor = cursorAt(document, document.offset(place));
   std::string text;
   if (cursor.isMnemonic) {

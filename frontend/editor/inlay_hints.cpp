@@ -67,7 +67,7 @@ std::string presetTime(const Instruction& instruction) {
 
 Json inlayHintsIn(const CheckedDocument& document, ClientPlace begin, ClientPlace end) {
   Hints hints(document, document.offset(begin), document.offset(end));
-  if (isIec(document.program().target)) return hints.take();
+  if (formOf(document.program().target) == StatementForm::Expressions) return hints.take();
   for (const Pou& pou : document.program().pous) {
     for (const Network& network : pou.networks) {
       if (network.drawing != nullptr) continue;

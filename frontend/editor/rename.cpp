@@ -148,14 +148,14 @@ class Renaming {
 /// Parameters of an S7-300/400 block stand in its calls and in data blocks too, where no operand of the block shows
 /// them.
 bool isSeenFromOutside(const CheckedDocument& document, const NameAtCursor& named) {
-  if (named.kind != NameKind::Local || !isStep7(document.program().target)) return false;
+  if (named.kind != NameKind::Local || !dialectOf(document.program().target).memory.hasDataBlocks) return false;
   return std::ranges::any_of(named.pou->locals, [&](const LocalVariable& local) {
     return equalsIgnoringCase(local.name, named.name) && local.section != VarSection::Temp;
   });
 }
 
 std::string labelFault(const CheckedDocument& document, const NameAtCursor& named, std::string_view name) {
-  if (isStep7(document.program().target)) {
+  if (dialectOf(document.program().target).text.labelsAreNames) {
     if (name.size() > 4 || !isName(name))
       return fmt::format("'{}' is no label: it has one to four letters and digits and begins with a letter", name);
   } else if (name.empty() || name.size() > 3 || !std::ranges::all_of(name, isDigit) ||
@@ -175,7 +175,7 @@ std::string labelFault(const CheckedDocument& document, const NameAtCursor& name
 /// In S7-200 programs names stand without marks, so that VW10 would be read as the address.
 bool isAddressText(const CheckedDocument& document, std::string_view name) {
   Operand address;
-  return !isStep7(document.program().target) &&
+  return !dialectOf(document.program().target).text.quotesSymbols &&
          (readAddress(name, Spelling::International, address) || readAddress(name, Spelling::German, address));
 }
 

@@ -91,7 +91,8 @@ const TextWord* structuredTextWord(std::string_view text) {
 }
 
 bool isStructuredText(const CheckedDocument& document) {
-  return isIec(document.program().target) && !endsInAny(document.source().name(), {".xml"});
+  return formOf(document.program().target) == StatementForm::Expressions &&
+         !endsInAny(document.source().name(), {".xml"});
 }
 
 std::vector<iec::IecToken> tokensOf(const CheckedDocument& document) {

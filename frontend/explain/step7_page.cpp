@@ -131,10 +131,10 @@ constexpr std::string_view beyondParameters = "NOT COVERED: it changes more than
 
 /// modelled, or how far the model goes.
 std::string_view modelOf(const s7300::LibraryBlock& block) {
-  if (isContractOnly(block)) return actsOnCpu(block) ? outputsOnly : contractOnly;
-  const bool readsClock = block.type == BlockType::Sfc && (block.number == 1 || block.number == 64);
-  if (readsClock) return "modelled in sim: the clock of the run; in proofs any value at each read, and verdicts say so";
-  if (isBuiltIn(block)) return "modelled";
+  if (isContractOnly(block)) return block.actsOnCpu ? outputsOnly : contractOnly;
+  if (block.readsClock)
+    return "modelled in sim: the clock of the run; in proofs any value at each read, and verdicts say so";
+  if (block.isBuiltIn) return "modelled";
   return step7::isModelled(block) ? "modelled: its statements are known" : "NOT COVERED: only its parameters are known";
 }
 

@@ -13,7 +13,7 @@
 #include "frontend/guide/site.hpp"
 #include "frontend/settings/code_list.hpp"
 #include "frontend/text/safe_text.hpp"
-#include "ir/s7200/choices.hpp"
+#include "ir/machine/choices.hpp"
 
 namespace rungproof {
 

@@ -10,7 +10,7 @@
 
 #include "frontend/iec/iec_types.hpp"
 #include "ir/check.hpp"
-#include "ir/s7200/choices.hpp"
+#include "ir/machine/choices.hpp"
 
 namespace rungproof::iec {
 

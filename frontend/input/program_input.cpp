@@ -25,8 +25,11 @@
 #include "frontend/stl/operand_reader.hpp"
 #include "frontend/stl/stl_likeness.hpp"
 #include "frontend/stl/syntax_sink.hpp"
+#include "ir/iec/cpu.hpp"
 #include "ir/iec/syntax.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "ir/s7300/block.hpp"
+#include "ir/s7300/cpu.hpp"
 #include "ir/s7300/organization_block.hpp"
 
 namespace rungproof {

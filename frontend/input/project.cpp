@@ -25,7 +25,9 @@
 #include "frontend/stl/stl_likeness.hpp"
 #include "frontend/stl/syntax_sink.hpp"
 #include "frontend/xml/xml_text.hpp"
+#include "ir/iec/cpu.hpp"
 #include "ir/s7200/cpu.hpp"
+#include "ir/s7300/cpu.hpp"
 
 namespace rungproof {
 

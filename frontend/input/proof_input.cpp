@@ -4,25 +4,8 @@
 #include <algorithm>
 
 #include "analysis/proof/proof_watch.hpp"
-#include "ir/s7300/block.hpp"
 
 namespace rungproof {
-
-namespace {
-
-/// IEC 61131-3 knows no watchdog. Where no task has an interval a scan may last as long as this.
-constexpr std::uint32_t longestIecScanMs = 500;
-
-/// ms after which a scan is a fatal error. With OB80 the first excess of an S7-300/400 is none (002:1314).
-std::uint32_t longestScanMs(const Program& program, const Choices& choices) {
-  if (isIec(program.target)) return program.taskMs.value_or(longestIecScanMs);
-  if (!isStep7(program.target)) return static_cast<std::uint32_t>(choices.watchdogMs());
-  const bool hasTimeErrorBlock =
-      std::ranges::any_of(program.pous, [](const Pou& pou) { return pou.number == blockNumber(BlockType::Ob, 80); });
-  return program.cycleMonitoringMs * (hasTimeErrorBlock ? 2U : 1U);
-}
-
-}  // namespace
 
 ProverOptions proverOptionsOf(const Settings& settings, std::initializer_list<const Program*> programs) {
   ProverOptions options;
@@ -30,7 +13,8 @@ ProverOptions proverOptionsOf(const Settings& settings, std::initializer_list<co
   options.retentive = settings.retentive();
   options.time.high = 0;
   for (const Program* program : programs)
-    options.time.high = std::max(options.time.high, longestScanMs(*program, options.choices));
+    options.time.high =
+        std::max(options.time.high, dialectOf(program->target).run.scanLimitMs(*program, options.choices));
   const bool haveInterval = std::ranges::all_of(programs, [](const Program* p) { return p->taskMs.has_value(); });
   if (haveInterval && programs.size() > 0) {
     options.time.low = options.time.high;

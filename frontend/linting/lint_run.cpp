@@ -77,7 +77,7 @@ std::vector<Report> lintSideBySide(const Context& context, const std::vector<std
 /// For proofs: the program without data blocks that nothing opens, if there are any. Rules look at instances among them
 /// only, and at those of panel words.
 std::optional<ProgramInput> withoutIdleBlocks(const ProgramInput& input) {
-  if (!isStep7(input.program.target)) return std::nullopt;
+  if (!dialectOf(input.program.target).memory.hasDataBlocks) return std::nullopt;
   NamedBlocks named;
   named.addText(input.program);
   named.addQuestions(input.properties);

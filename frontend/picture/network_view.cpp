@@ -63,12 +63,14 @@ std::vector<StatementRow> statementRows(const Program& program, const Network& n
   std::vector<StatementRow> rows;
   for (const Instruction& instruction : network.instructions) {
     StatementRow row;
-    row.statement = isStep7(program.target) ? step7::writeStatement(program, instruction, options.mnemonics)
-                                            : writeInstruction(instruction);
+    row.statement = formOf(program.target) == StatementForm::Accumulators
+                        ? step7::writeStatement(program, instruction, options.mnemonics)
+                        : writeInstruction(instruction);
     row.names = namesIn(program, instruction);
     if (options.recorder != nullptr) {
       const InstructionRecord& record = options.recorder->of(instruction);
-      if (!isStep7(program.target)) row.top = record.executions == 0 ? "-" : record.after[0] ? "1" : "0";
+      if (formOf(program.target) != StatementForm::Accumulators)
+        row.top = record.executions == 0 ? "-" : record.after[0] ? "1" : "0";
       if (record.executions > 0) {
         const std::vector<std::string> values = valueTexts(instruction, record);
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -174,7 +176,7 @@ Raised drawingOf(const Network& network, const ViewOptions& options, const Targe
     return {isTurned ? asFbd(*network.drawing) : *network.drawing, {}, nullptr};
   }
   // The recorder follows the logic stack, which that family does not have.
-  if (options.recorder != nullptr && isStep7(target))
+  if (options.recorder != nullptr && formOf(target) == StatementForm::Accumulators)
     return {std::nullopt, "the power flow of an S7-300 or S7-400 is not drawn", nullptr};
   if (std::string reason = sizeReason(network, network.drawing.get()); !reason.empty())
     return {std::nullopt, std::move(reason), nullptr};
@@ -215,7 +217,7 @@ NetworkView networkView(const Program& program, const Pou& pou, const Network& n
     view.notes.push_back({finding->severity, fmt::format("{}: {}", finding->rule, finding->message)});
   view.notExecuted =
       options.recorder != nullptr && !network.instructions.empty() && !wasExecuted(network, *options.recorder);
-  const bool isText = program.syntax != nullptr;
+  const bool isText = formOf(program.target) == StatementForm::Expressions;
   if (isText && (network.drawing == nullptr || options.form == Form::Stl)) {
     view.statements = sourceLines(program, network);
     return view;

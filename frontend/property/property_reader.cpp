@@ -15,7 +15,7 @@
 #include "frontend/step7/name_lookup.hpp"
 #include "frontend/stl/missing_address.hpp"
 #include "ir/desc.hpp"
-#include "ir/s7300/cpu.hpp"
+#include "ir/dialect.hpp"
 
 namespace rungproof {
 namespace {
@@ -353,7 +353,7 @@ class Parser {
   std::uint32_t primary(Expr& e) {
     const Token t = take();
     if (t.kind == PropertyToken::Number) {
-      const bool isLong = target_ != nullptr && isIec(*target_);
+      const bool isLong = target_ != nullptr && dialectOf(*target_).memory.numberBits > 32;
       if (isLong ? t.isHuge : t.isTooLarge)
         throw Mistake{syntaxRule, t.span, fmt::format("'{}' is larger than any number of the program", t.text),
                       isLong ? "numbers have up to 64 bits, one of them for the sign" : "numbers have up to 32 bits"};
@@ -441,13 +441,14 @@ class Parser {
   }
   /// The value of a timer or counter instead of its bit; of an S5 timer the ms that are left.
   void meansValue(Operand& operand) const {
-    if (operand.area == Area::T && target_ != nullptr && isStep7(*target_)) operand.width = Width::DWord;
+    if (operand.area == Area::T && target_ != nullptr && dialectOf(*target_).run.counting == Counting::Elements)
+      operand.width = Width::DWord;
   }
   Operand address(const Token& t) {
     const std::optional<Operand> operand = t.kind == PropertyToken::Word ? lookup_(t.text) : std::nullopt;
     if (!operand && isKeyword(lower(t.text)))
       throw Mistake{syntaxRule, t.span, fmt::format("'{}' does not belong here", t.text), formsHelp};
-    const bool isUnknown = !operand && target_ != nullptr && isStep7(*target_);
+    const bool isUnknown = !operand && target_ != nullptr && dialectOf(*target_).memory.hasDataBlocks;
     if (const std::optional<Operand> place = isUnknown ? step7::addressNamed(t.text) : std::nullopt;
         place && place->area == Area::DB)
       throw Mistake{addressRule, t.span, fmt::format("'{}' is in no data block of the program", t.text),

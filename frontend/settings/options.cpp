@@ -10,6 +10,8 @@
 #include "frontend/property/external_range.hpp"
 #include "frontend/settings/code_list.hpp"
 #include "frontend/settings/retentive_range.hpp"
+#include "ir/s7200/cpu.hpp"
+#include "ir/s7300/cpu.hpp"
 
 namespace rungproof {
 

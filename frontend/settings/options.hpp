@@ -17,8 +17,8 @@
 #include "analysis/rule.hpp"
 #include "engine/start_up.hpp"
 #include "frontend/files/failure.hpp"
+#include "ir/machine/choices.hpp"
 #include "ir/program.hpp"
-#include "ir/s7200/choices.hpp"
 #include "ir/s7200/cpu.hpp"
 
 namespace rungproof {

@@ -12,6 +12,7 @@
 #include "frontend/settings/options.hpp"
 #include "frontend/settings/retentive_range.hpp"
 #include "ir/check.hpp"
+#include "ir/s7200/cpu.hpp"
 
 namespace rungproof {
 

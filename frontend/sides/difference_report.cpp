@@ -196,9 +196,10 @@ void DifferenceReport::describe(Comparison& comparison, const std::string& form)
   addOperand(before, *sides_.runBefore, run_.addressBefore);
   addOperand(after, *sides_.runAfter, run_.addressAfter);
   const Trace table = joined(common, before, after);
-  const bool hasVariables = isIec(sides_.runBefore->target) || isIec(sides_.runAfter->target);
+  const bool isOldOfVariables = dialectOf(sides_.runBefore->target).memory.isOfVariables;
+  const bool hasVariables = isOldOfVariables || dialectOf(sides_.runAfter->target).memory.isOfVariables;
   if (hasVariables && !before.empty() && !after.empty() && !table.rows.empty()) {
-    comparison.signal = (isIec(sides_.runBefore->target) ? before : after).front().name;  // the variable, not its bit
+    comparison.signal = (isOldOfVariables ? before : after).front().name;  // the variable, not its bit
     comparison.expected = table.rows.back().values[common.size()].value_or(0);
     comparison.actual = table.rows.back().values[common.size() + before.size()].value_or(0);
   }

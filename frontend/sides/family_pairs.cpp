@@ -51,9 +51,9 @@ class FamilyPairing {
   FamilyPairing(Sides& sides, std::vector<Failure>& failures)
       : sides_(sides),
         failures_(failures),
-        isIecOld_(isIec(sides.before.program.target)),
-        iec_(isIecOld_ ? sides.before : sides.after),
-        other_(isIecOld_ ? sides.after : sides.before),
+        isOldOfVariables_(dialectOf(sides.before.program.target).memory.isOfVariables),
+        iec_(isOldOfVariables_ ? sides.before : sides.after),
+        other_(isOldOfVariables_ ? sides.after : sides.before),
         outputs_(iec_.program) {
     for (const Symbol& symbol : other_.program.symbols) bySymbol_.emplace(iec::foldedName(symbol.name), symbol.address);
   }
@@ -73,10 +73,10 @@ class FamilyPairing {
 
  private:
   /// OLD or NEW.
-  std::string_view side(bool ofIec) const { return ofIec == isIecOld_ ? "OLD" : "NEW"; }
+  std::string_view side(bool ofVariables) const { return ofVariables == isOldOfVariables_ ? "OLD" : "NEW"; }
   std::optional<Address> there(const Operand& place) const {
     const Address own = addressOf(place);
-    return isIecOld_ ? sides_.pairs.after(own) : sides_.pairs.before(own);
+    return isOldOfVariables_ ? sides_.pairs.after(own) : sides_.pairs.before(own);
   }
   bool isMapped(const Operand& place) const { return there(place).has_value(); }
   bool isInput(const Operand& place, const ProgramInput& program) const {
@@ -116,11 +116,11 @@ class FamilyPairing {
     if (!partner) return;
     const Address own = addressOf(variable.place), theirs = addressOf(*partner);
     const std::uint32_t count = extentOf(*partner);
-    if (!(isIecOld_ ? sides_.pairs.add(own, theirs, count) : sides_.pairs.add(theirs, own, count)))
+    if (!(isOldOfVariables_ ? sides_.pairs.add(own, theirs, count) : sides_.pairs.add(theirs, own, count)))
       return fail(fmt::format("{} of {} and another variable stand for {} of {}", variable.names.front(), side(true),
                               toString(*partner), side(false)),
                   "say with --map which one it is");
-    if (count > 1 && isOutput) sides_.pairs.compareAsOne({isIecOld_ ? own : theirs, count});
+    if (count > 1 && isOutput) sides_.pairs.compareAsOne({isOldOfVariables_ ? own : theirs, count});
   }
   /// What the other program gives out is compared anyway, with 0 where nothing stands for it.
   void observe(const PlacedVariable& variable) {
@@ -130,12 +130,12 @@ class FamilyPairing {
       return fail(fmt::format("{} has the output {}, {} has no symbol of that name and size", side(true),
                               variable.names.front(), side(false)),
                   "pair it with --map, give the symbol table, or choose what is compared with --observe");
-    sides_.pairs.compareToo({isIecOld_ ? addressOf(variable.place) : *partner, extentOf(variable.place)});
+    sides_.pairs.compareToo({isOldOfVariables_ ? addressOf(variable.place) : *partner, extentOf(variable.place)});
   }
 
   Sides& sides_;
   std::vector<Failure>& failures_;
-  const bool isIecOld_;
+  const bool isOldOfVariables_;
   const ProgramInput& iec_;
   const ProgramInput& other_;
   const ProgramOutputs outputs_;

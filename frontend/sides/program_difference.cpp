@@ -15,7 +15,7 @@ namespace {
 
 std::string nameWithSymbol(const Program& program, const Operand& operand) {
   const Symbol* symbol = program.symbolOf(wholeVariable(program, operand));
-  if (symbol != nullptr && isIec(program.target)) return symbol->name;
+  if (symbol != nullptr && dialectOf(program.target).memory.isOfVariables) return symbol->name;
   return symbol == nullptr ? toString(operand) : fmt::format("{} ({})", toString(operand), symbol->name);
 }
 

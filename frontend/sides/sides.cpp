@@ -248,8 +248,8 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
   sides.storedBefore = storedBlocksOf(sides.filesBefore, context.side(ProgramSide::Old));
   sides.storedAfter = storedBlocksOf(sides.filesAfter, context.side(ProgramSide::New));
   if (arguments.values == "old") takeValues(sides.before.program, sides.after.program);
-  const bool hasVariables = isIec(sides.before.program.target);
-  const bool isOneIec = hasVariables != isIec(sides.after.program.target);
+  const bool hasVariables = dialectOf(sides.before.program.target).memory.isOfVariables;
+  const bool isOneIec = hasVariables != dialectOf(sides.after.program.target).memory.isOfVariables;
   if (isOneIec) sides.pairs.separate();
   guessFamily(context, {{&context.side(ProgramSide::Old), &sides.before.program},
                         {&context.side(ProgramSide::New), &sides.after.program}});

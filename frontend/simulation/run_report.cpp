@@ -101,9 +101,10 @@ void describeRun(Report& report, const Simulator& simulator, const ScanTime& sca
     finding.severity = Severity::Note;
     finding.message = fmt::format("event {} ({}) came from the stimulus although nothing could cause it then",
                                   shownEvent(event), eventInfo(event).text);
-    finding.help = plan.isStep7() ? "OB30 to OB38 come with their period, OB20 to OB23 at the end of a delay of SFC 32 "
-                                    "(002:1096-1212)"
-                                  : "see 001:5378 of the manual for what causes each event";
+    finding.help = plan.dialect().run.startsBlocks
+                       ? "OB30 to OB38 come with their period, OB20 to OB23 at the end of a delay of SFC 32 "
+                         "(002:1096-1212)"
+                       : "see 001:5378 of the manual for what causes each event";
     report.findings.push_back(std::move(finding));
   }
   listHiddenBlocks(report, program);
@@ -112,7 +113,8 @@ void describeRun(Report& report, const Simulator& simulator, const ScanTime& sca
                                 ? fmt::format("{:g} ms", ms(scanTime.low))
                                 : fmt::format("{:g} ms to {:g} ms", ms(scanTime.low), ms(scanTime.high));
   report.assumptions.push_back(fmt::format("CPU {}", cpuName(program.target.cpu)));
-  if (plan.isStep7()) std::ranges::move(s7300::startTexts(program), std::back_inserter(report.assumptions));
+  if (plan.dialect().run.startsBlocks)
+    std::ranges::move(s7300::startTexts(program), std::back_inserter(report.assumptions));
   report.assumptions.push_back(fmt::format("scan time {} where the stimulus says nothing", range));
   report.assumptions.push_back(fmt::format("{} scans, {} ms", simulator.scanCount(),
                                            plainNumber(static_cast<double>(simulator.timeUs()) / 1000)));

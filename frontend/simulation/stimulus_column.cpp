@@ -125,7 +125,7 @@ std::optional<StimulusColumn> deviceColumn(const std::string& name) {
 
 std::optional<TraceSignal> signalNamed(const Program& program, std::string_view name, Failure& failure) {
   std::string_view bare = name;
-  const bool hasOwnNames = isIec(program.target);  // there T1 and Valve.Value are variables
+  const bool hasOwnNames = dialectOf(program.target).memory.isOfVariables;  // there T1 and Valve.Value are variables
   const bool asValue = !hasOwnNames && lowered(name).ends_with(".value");
   if (asValue) bare.remove_suffix(6);
   Operand operand;
@@ -165,7 +165,8 @@ std::optional<TraceSignal> signalNamed(const Program& program, std::string_view 
     return std::nullopt;
   }
   operand.width = byNumber && !asValue ? Width::Bit : areaInfo(operand.area).width.value_or(operand.width);
-  if (asValue && operand.area == Area::T && isStep7(program.target)) operand.width = Width::DWord;  // ms that are left
+  if (asValue && operand.area == Area::T && dialectOf(program.target).run.counting == Counting::Elements)
+    operand.width = Width::DWord;  // ms that are left
   if (operand.area == Area::L) {
     failure = {fmt::format("{} has no value between scans: local memory belongs to one call (001:1367)", name)};
     return std::nullopt;
@@ -222,7 +223,7 @@ std::optional<StimulusColumn> stimulusColumn(const Program& program, const std::
                                              Failure& failure) {
   if (auto library = libraryColumn(program, name)) return library;
   if (auto device = deviceColumn(name)) return device;
-  if (auto start = isStep7(program.target) ? startColumn(name) : std::nullopt) return start;
+  if (auto start = dialectOf(program.target).run.startsBlocks ? startColumn(name) : std::nullopt) return start;
   const std::optional<TraceSignal> signal = signalNamed(program, name, failure);
   if (!signal) return std::nullopt;
   StimulusColumn column;

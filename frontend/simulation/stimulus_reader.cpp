@@ -15,6 +15,7 @@
 #include "frontend/simulation/given_columns.hpp"
 #include "frontend/simulation/run_limits.hpp"
 #include "frontend/simulation/stimulus_column.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "ir/s7300/organization_block.hpp"
 
 namespace rungproof {
@@ -153,9 +154,10 @@ class TableReader {
   /// An event by its number, of an S7-300/400 by that of the organization block that it starts.
   static std::optional<int> eventNamed(std::optional<double> number, const Target& target) {
     if (!number || *number != std::floor(*number) || *number < 0 || *number > 255) return std::nullopt;
-    const int named = static_cast<int>(*number), event = isStep7(target) ? eventOfBlock(named) : named;
-    const bool exists = isStep7(target) ? event >= 0 && s7300::startsOn(named, target.cpu)
-                                        : event < eventCount && eventExists(target, event);
+    const int named = static_cast<int>(*number),
+              event = dialectOf(target).run.startsBlocks ? eventOfBlock(named) : named;
+    const bool exists = dialectOf(target).run.startsBlocks ? event >= 0 && s7300::startsOn(named, target.cpu)
+                                                           : event < eventCount && eventExists(target, event);
     return exists ? std::optional(event) : std::nullopt;
   }
 
@@ -186,10 +188,11 @@ class TableReader {
       const std::optional<int> event = eventNamed(number, program.target);
       if (!event) {
         fail(cell, fmt::format("'{}' is no interrupt event of CPU {}", word, cpuName(program.target.cpu)),
-             isStep7(program.target) ? "events are the numbers of organization blocks such as 40; several are "
-                                       "separated by blanks"
-                                     : fmt::format("events are numbers from 0 to {}; several are separated by blanks",
-                                                   lastEvent(program.target)));
+             dialectOf(program.target).run.startsBlocks
+                 ? "events are the numbers of organization blocks such as 40; several are "
+                   "separated by blanks"
+                 : fmt::format("events are numbers from 0 to {}; several are separated by blanks",
+                               lastEvent(program.target)));
         continue;
       }
       if (mark == std::string::npos) {

@@ -13,8 +13,8 @@ namespace rungproof::step7 {
 /// The text of a block whose meaning is no list of statements.
 inline constexpr std::string_view emptyBody = "BEGIN\nNETWORK\n";
 
-/// Whether calls of the block are modelled: by its statements, by ir/s7300/system_block.hpp, by its contract, or as SFC
-/// 46, which stops the CPU.
+/// Whether calls of the block are modelled: by its statements, by its struct in ir/s7300/library, by its contract, or
+/// as SFC 46, which stops the CPU.
 bool isModelled(const s7300::LibraryBlock& block);
 /// What follows the interface of a block in a source: temporary data where it needs some, BEGIN, the statements; empty:
 /// calls of it are not covered. `imageBytes`: inputs of the CPU's image.

@@ -8,7 +8,7 @@
 #include "frontend/step7/constant_spelling.hpp"
 #include "frontend/step7/cursor.hpp"
 #include "ir/block_map.hpp"
-#include "ir/iec/cpu.hpp"
+#include "ir/dialect.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/declarations.hpp"
 #include "ir/s7300/isa.hpp"
@@ -315,7 +315,7 @@ std::vector<std::string> declarationLines(const Program& program, const Pou& pou
 std::string writeSource(const Program& program, MnemonicSet set) { return SourceWriter(program, set).run(); }
 
 bool isLibraryBlock(const Program& program, const Pou& pou) {
-  if (isIec(program.target)) return pou.isBuiltIn;
+  if (formOf(program.target) == StatementForm::Expressions) return pou.isBuiltIn;
   return pou.type != BlockType::None && program.sources->file(pou.span.file).name() == pou.name;
 }
 

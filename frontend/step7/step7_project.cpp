@@ -365,7 +365,7 @@ class ProjectBuilder {
       if (const s7300::LibraryBlock* block = s7300::libraryBlock(blockTypeOf(number), in)) {
         const std::string text = librarySource(*block, step7Row(program_.target.cpu).image);
         if (!text.empty())
-          libraryBlock(number, s7300::standInName(*block), interfaceOf(*block), text, isBuiltIn(*block), statements);
+          libraryBlock(number, s7300::standInName(*block), interfaceOf(*block), text, block->isBuiltIn, statements);
         continue;
       }
       const bool isFunction = blockTypeOf(number) == BlockType::Sfc;

@@ -1,6 +1,8 @@
 // Members of Scan for the IEC 61131-3 machine: the program, jumps and calls of bodies.
 #pragma once
 
+#include "ir/machine/scan.hpp"
+
 namespace rungproof {
 
 /// Runs the entry block, which lets time pass for timers and calls the program instances in their order.

@@ -5,7 +5,8 @@
 #include <algorithm>
 
 #include "ir/check.hpp"
-#include "ir/s7200/machine.hpp"
+#include "ir/machine/machine.hpp"
+#include "ir/s7200/cpu.hpp"
 
 namespace rungproof {
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "ir/machine/library_effect.hpp"
 #include "ir/s7200/args.hpp"
 #include "ir/s7200/library_block.hpp"
 
@@ -63,25 +64,6 @@ class CallContracts {
  private:
   std::map<std::uint32_t, CallContract> contracts_;
 };
-
-/// External::LibraryOutput of something that is no parameter: what a call without text leaves at a place.
-struct LibraryEffect {
-  Area area = Area::V;            ///< AC: number 4 is ENO
-  std::uint32_t at = 0;           ///< byte or number
-  std::optional<unsigned> bit{};  ///< nothing: the whole byte or number
-
-  static constexpr std::uint32_t eno = 4;
-  constexpr std::uint32_t index() const {
-    return (static_cast<std::uint32_t>(area) + 1) << 24 | (bit ? (*bit + 1) << 20 : 0U) | at;
-  }
-};
-/// The effect behind an index; nothing: it is the place of a parameter.
-constexpr std::optional<LibraryEffect> libraryEffect(std::uint32_t index) {
-  if (index >> 24 == 0) return std::nullopt;
-  LibraryEffect effect{static_cast<Area>((index >> 24) - 1), index & 0xFFFFF};
-  if (const std::uint32_t bit = index >> 20 & 0xF; bit != 0) effect.bit = bit - 1;
-  return effect;
-}
 
 /// The call with power flow: outputs, touched memory, accumulators, status bits and ENO (001:6769) get values from
 /// outside (External::LibraryOutput; index: the place of a parameter, or a LibraryEffect).

@@ -4,11 +4,20 @@
 #include <algorithm>
 #include <array>
 
+#include "ir/machine/frame.hpp"
 #include "ir/s7200/cpu_tables.hpp"
 
 namespace rungproof {
 
 namespace {
+
+constexpr int mostOf(int CpuFeatures::*number) {
+  int most = 0;
+  for (const CpuRow& row : cpu_rows::rows) most = std::max(most, row.features.*number);
+  return most;
+}
+static_assert(mostOf(&CpuFeatures::interruptNesting) == static_cast<int>(mostInterruptNesting));
+static_assert(mostOf(&CpuFeatures::stackLevels) == static_cast<int>(mostStackLevels));
 
 /// One cell per edition, CPU, area and width, filled once from the rows.
 struct LimitIndex {
@@ -33,7 +42,6 @@ struct LimitIndex {
 };
 
 const cpu_tables::LimitRow* limitRow(const Target& target, Area area, Width width) {
-  if (isStep7(target) || isIec(target)) return nullptr;
   static const LimitIndex index;
   // A CPU that the chosen edition does not describe keeps the limits of the one that does.
   const bool isOld = (cpuBit(target.cpu) & cpu_tables::oldCpus) != 0;
@@ -45,24 +53,13 @@ const cpu_tables::LimitRow* limitRow(const Target& target, Area area, Width widt
 
 }  // namespace
 
-std::optional<AddressLimit> addressLimit(const Target& target, Area area, Width width) {
-  if (isStep7(target) || isIec(target)) {
-    const std::uint32_t size =
-        isIec(target) ? iecAreaSize(iecRow(target.cpu), area) : step7AreaSize(step7Row(target.cpu), area);
-    const auto length = static_cast<std::uint32_t>(hasBitAndWord(area) ? 1 : bytes(width));
-    if (size < length) return std::nullopt;
-    return AddressLimit{size - length, {}, {}};
-  }
+std::optional<AddressLimit> s7200AddressLimit(const Target& target, Area area, Width width) {
   const cpu_tables::LimitRow* row = limitRow(target, area, width);
   if (row == nullptr) return std::nullopt;
   return AddressLimit{row->last, row->source, row->note};
 }
 
-bool addressExists(const Target& target, Area area, Width width, std::uint32_t offset, unsigned bit) {
-  if (isStep7(target) || isIec(target)) {
-    const std::optional<AddressLimit> limit = addressLimit(target, area, width);
-    return area == Area::DB || (limit && offset <= limit->lastByte && (width != Width::Bit || bit <= 7));
-  }
+bool s7200AddressExists(const Target& target, Area area, Width width, std::uint32_t offset, unsigned bit) {
   const cpu_tables::LimitRow* row = limitRow(target, area, width);
   if (row == nullptr || offset > row->last) return false;
   if (area == Area::HC) return hscExists(target, static_cast<int>(offset));
@@ -103,13 +100,6 @@ int timerResolution(int number) {
 bool timerIsRetentive(int number) {
   const TimerRange* range = timerRange(number);
   return range != nullptr && range->retentive;
-}
-
-std::uint32_t areaSize(const Target& target, Area area) {
-  const Width width = areaInfo(area).width.value_or(Width::Byte);
-  const std::optional<AddressLimit> limit = addressLimit(target, area, width);
-  if (!limit) return 0;
-  return limit->lastByte + static_cast<std::uint32_t>(isAnalogue(area) ? 2 : 1);
 }
 
 }  // namespace rungproof

@@ -10,45 +10,15 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "ir/address_limit.hpp"
 #include "ir/area.hpp"
-#include "ir/iec/cpu.hpp"
-#include "ir/s7300/cpu.hpp"
+#include "ir/cpu_features.hpp"
 #include "ir/target.hpp"
 
 namespace rungproof {
 
-/// Editions of the S7-200 system manual, and of the S7-200 SMART's firmware: up to V2.7, and from V2.8 on.
-/// The S7-300/400 has one: STEP 7 V5.4 (002).
-enum class Edition : std::uint8_t { Edition2003, Edition2004, Smart27, Smart28, Step7, Iec };
-inline constexpr int editionCount = 6;
 /// Families of CPUs with one instruction set and one map of special memory each.
 enum class Series : std::uint8_t { S7200, Smart };
-
-/// A set of small numbers, such as interrupt events or counters: bit n stands for number n.
-using NumberSet = std::uint64_t;
-constexpr NumberSet numbers(int low, int high) { return ((NumberSet{1} << (high - low + 1)) - 1) << low; }
-constexpr bool contains(NumberSet set, int number) { return number >= 0 && number < 64 && (set >> number & 1) != 0; }
-
-/// Numbers that the tables give per CPU. The initial values are those of most S7-200.
-struct CpuFeatures {
-  int subroutines = 64;         ///< count; numbers are 0..subroutines-1 (001:2666)
-  int callable = 0;             ///< by table 6-78 (001:6751), where that is more
-  int interruptRoutines = 128;  ///< 001:2667
-  int labels = 256;             ///< 001:2665
-  int edges = 256;              ///< EU plus ED (001:2668)
-  int pidLoops = 8;             ///< 001:2669
-  int ports = 1;                ///< 001:2670
-  int queueCommunication = 4;   ///< 001:5487
-  int queueIo = 16;             ///< 001:5488
-  int queueTimed = 8;           ///< 001:5489
-  int pulseOutputs = 2;
-  bool clockBuiltIn = true;            ///< 001:565; without, TODR gives error 000C
-  bool stopsInCompare = true;          ///< a compare contact that cannot compare is fatal (001:3384); else it is 0
-  int stackLevels = 9;                 ///< levels of the logic stack (001:2753)
-  int interruptNesting = 1;            ///< subroutine levels below an interrupt routine (001:5444)
-  NumberSet counters = numbers(0, 5);  ///< high-speed counters (001:4166)
-  NumberSet events = numbers(0, 33);   ///< interrupt events (001:5366)
-};
 
 /// What stands on the CPU itself (001:552-560, 001:11612-11622). Behind it the S7-200 numbers modules without holes in
 /// their order (001:1439-1451); the S7-200 SMART gives every slot fixed addresses.
@@ -109,7 +79,8 @@ constexpr CpuFeatures smartFeatures(int ports, int pulseOutputs, int pidLoops, b
           .stackLevels = 32,
           .interruptNesting = 4,
           .counters = counters,
-          .events = events};
+          .events = events,
+          .unlistedEvents = numbers(14, 15) | numbers(39, 42)};
 }
 /// Without signal board, pulse outputs, second port and the counters 4 and 5.
 inline constexpr CpuFeatures compact =
@@ -150,9 +121,7 @@ inline constexpr auto rows = std::to_array<CpuRow>({
 });
 // clang-format on
 
-inline constexpr CpuRow none = {"", Series::S7200,
-                                {}, {Edition::Step7, Edition::Step7},
-                                {}, {.pulseOutputs = 0, .clockBuiltIn = false, .counters = 0, .events = 0}};
+inline constexpr CpuRow none = {"", Series::S7200, {}, {Edition::Step7, Edition::Step7}, {}, noFeatures};
 
 }  // namespace cpu_rows
 
@@ -167,7 +136,7 @@ consteval Cpu s7200Cpu(std::string_view name) {
 
 /// A CPU of another family has the row of one that has nothing of an S7-200's.
 constexpr const CpuRow& cpuRow(Cpu cpu) {
-  return isStep7(cpu) || isIec(cpu) ? cpu_rows::none : cpu_rows::rows[static_cast<std::size_t>(cpu)];
+  return static_cast<std::size_t>(cpu) < cpuCount ? cpu_rows::rows[static_cast<std::size_t>(cpu)] : cpu_rows::none;
 }
 constexpr bool isSmart(Cpu cpu) { return cpuRow(cpu).series == Series::Smart; }
 constexpr bool isSmart(const Target& target) { return isSmart(target.cpu); }
@@ -180,6 +149,10 @@ constexpr CpuSet cpusWith(Condition condition) {
   return set;
 }
 inline constexpr CpuSet smartCpus = cpusWith([](const CpuRow& row) { return row.series == Series::Smart; });
+/// The CPUs of the same series.
+constexpr CpuSet seriesOf(Cpu cpu) {
+  return cpusWith([series = cpuRow(cpu).series](const CpuRow& row) { return row.series == series; });
+}
 /// Place of facts on the S7-200 SMART: its manual has no line numbers here.
 inline constexpr std::string_view smartManual = "S7-200 SMART system manual";
 inline constexpr CpuSet s7200Cpus = cpusWith([](const CpuRow& row) { return row.series == Series::S7200; });
@@ -194,16 +167,6 @@ constexpr Edition otherEdition(const Target& target) {
   const std::array<Edition, 2>& editions = cpuRow(target.cpu).editions;
   return editions[0] == target.edition ? editions[1] : editions[0];
 }
-
-/// Highest legal start address of an access (table 6-2). Areas without such access give nothing.
-struct AddressLimit {
-  std::uint32_t lastByte = 0;  ///< highest start byte, or highest number for T, C, AC, HC
-  std::string_view source;     ///< "001:2679"
-  std::string_view note;       ///< the misprint that was resolved, or empty
-};
-std::optional<AddressLimit> addressLimit(const Target& target, Area area, Width width);
-/// Whether the address exists; knows the gaps (HC1/HC2 on 221/222, odd AI/AQ, bytes 32 to 127 of the SMART's images).
-bool addressExists(const Target& target, Area area, Width width, std::uint32_t offset, unsigned bit);
 
 constexpr CpuFeatures cpuFeatures(const Target& target) {
   const CpuRow& row = cpuRow(target.cpu);
@@ -225,7 +188,8 @@ int timerResolution(int number);
 /// Whether the number belongs to TONR (true) or to TON/TOF.
 bool timerIsRetentive(int number);
 
-/// Size of an area in bytes on that CPU (T, C, AC, HC: count).
-std::uint32_t areaSize(const Target& target, Area area);
+/// Table 6-2; knows the gaps (HC1/HC2 on 221/222, odd AI/AQ, bytes 32 to 127 of the SMART's images).
+std::optional<AddressLimit> s7200AddressLimit(const Target& target, Area area, Width width);
+bool s7200AddressExists(const Target& target, Area area, Width width, std::uint32_t offset, unsigned bit);
 
 }  // namespace rungproof

@@ -3,7 +3,7 @@
 // analysis/encoding/device_writes.hpp). Covered by tests/environment/devices_test.cpp.
 #pragma once
 
-#include "ir/s7200/machine.hpp"
+#include "ir/machine/machine.hpp"
 #include "ir/s7200/pulse_output.hpp"
 
 namespace rungproof {

@@ -6,10 +6,10 @@
 
 #include <optional>
 
+#include "ir/machine/machine.hpp"
 #include "ir/s7200/device_end.hpp"
 #include "ir/s7200/event.hpp"
 #include "ir/s7200/hsc_inputs.hpp"
-#include "ir/s7200/machine.hpp"
 
 namespace rungproof {
 

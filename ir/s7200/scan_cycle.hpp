@@ -10,8 +10,8 @@
 
 #include <algorithm>
 
+#include "ir/machine/scan.hpp"
 #include "ir/s7200/pulse_output.hpp"
-#include "ir/s7200/scan.hpp"
 #include "ir/s7200/timer_refresh.hpp"
 
 namespace rungproof {
@@ -143,7 +143,7 @@ void refreshSpecialMemory(Machine<D>& m, typename D::Bits elapsed) {
   m.save(Area::SM, 22, Width::Word, elapsed);
   m.save(Area::SM, 24, Width::Word, m.d.select(m.d.lor(first, m.d.ult(elapsed, shortest, 16)), elapsed, shortest, 16));
   m.save(Area::SM, 26, Width::Word, m.d.select(m.d.lor(first, m.d.ult(longest, elapsed, 16)), elapsed, longest, 16));
-  if (m.plan.isStep7() || m.plan.isIec()) m.set(Reg::LastScan, 0, elapsed);
+  if (m.plan.dialect().run.keepsLastScan) m.set(Reg::LastScan, 0, elapsed);
   m.setBit(Reg::FirstScan, 0, m.d.constant(false));
 }
 

@@ -1,10 +1,10 @@
 // How timers count. 100 ms timers advance inside their instruction, 10 ms timers at the start of a scan, 1 ms timers
 // at any instruction boundary (001:6605-6611); all three come here. Effects: table 6-73 (001:6551-6586), IEC boxes
-// 001:6693-6706. S5 and IEC timers of an S7-300/400 pass in ms. Tests: tests/manual/timer_test.cpp, tests/agreement7.
+// 001:6693-6706. Timers that
+// pass in ms: ir/s7300/timer_pass.hpp. Tests: tests/manual/timer_test.cpp, tests/agreement7.
 #pragma once
 
-#include "ir/s7300/clock_memory.hpp"
-#include "ir/s7300/timer.hpp"
+#include "ir/machine/timers.hpp"
 
 namespace rungproof {
 
@@ -38,68 +38,11 @@ typename D::Bool advanceTimer(Machine<D>& m, TimerKind kind, std::uint32_t numbe
   return reached;
 }
 
-/// A scan of `ms` (width restBits) is over for the IEC timers of an S7-300/400: their instances keep the time from
-/// their start to the start of the scan in ATIME, at byte 18, while STATE, at byte 12, is 1
-/// (frontend/step7/library_source.cpp). As S5 timers they add nothing inside the scan.
-template <class D>
-void passScanOfIec(Machine<D>& m, typename D::Bits ms) {
-  for (const std::uint32_t instance : m.plan.iecTimers) {
-    const auto state = m.load(Area::DB, instance + 12, Width::Byte);
-    m.when(m.d.equal(state, m.number(1, 8), 8), [&] {
-      const auto passed = m.d.add(m.load(Area::DB, instance + 18, Width::DWord), m.d.zext(ms, restBits, 32), 32);
-      m.save(Area::DB, instance + 18, Width::DWord,
-             m.d.select(m.d.bit(passed, 31), m.number(0x7FFFFFFF, 32), passed, 32));
-    });
-  }
-}
-
-/// Of an S7-300/400, at the start of a scan: ends of timers by the reading that they are seen there only, and the clock
-/// memory.
-template <class D>
-void beginScanOfTimers(Machine<D>& m) {
-  if (!m.plan.isStep7()) return;
-  m.passedMs = m.number(0, restBits);
-  const bool hasClock = m.plan.program->clockMemory.has_value();
-  const auto isSynchronous = m.reads({Choice::S5Time, "synchronous"});
-  if (m.d.truth(isSynchronous) != false) {
-    for (const TimerUse& use : m.plan.timers) endS5(m, use.number, m.passedMs);  // the other reading leaves none
-    if (hasClock) {
-      const auto passed = m.get(Reg::LastScan);
-      m.when(isSynchronous, [&] { advanceClockMemory(m, passed); });
-    }
-  }
-  if (hasClock) showClockMemory(m);
-}
-
-/// The same inside the scan, by the reading that time passes at any instruction: `ticks` ms (width 16) more have
-/// passed, Machine::passedMs in all. isAsked(number): whether it matters now that this S5 timer has come to its end.
-template <class D, class IsAsked>
-void passTimers(Machine<D>& m, typename D::Bits ticks, IsAsked&& isAsked) {
-  m.when(m.reads({Choice::S5Time, "any"}), [&] {
-    for (const TimerUse& use : m.plan.timers) {
-      if (isAsked(use.number)) endS5(m, use.number, m.passedMs);
-    }
-    if (m.plan.program->clockMemory) advanceClockMemory(m, ticks);
-  });
-}
-
-/// The same at the end of a scan of `ms` (width restBits), whatever has ended the program: the scan goes on behind it.
-template <class D>
-void endScanOfTimers(Machine<D>& m, typename D::Bits ms) {
-  if (!m.plan.isStep7()) return;
-  const auto guard = m.guard;
-  for (const TimerUse& use : m.plan.timers) {
-    passScanOfS5(m, use.number, ms);
-    m.guard = guard;
-  }
-  passScanOfIec(m, ms);
-}
-
 /// Lets `ticks` pass for all timers of a resolution, 1 or 10 ms: the scan calls it for 10 ms timers at its start, for
 /// 1 ms timers at instruction boundaries. reached(use, condition) is called for each timer of an S7-200.
 template <class D, class Reached>
 void refreshTimers(Machine<D>& m, int resolution, typename D::Bits ticks, Reached&& reached) {
-  if (m.plan.isStep7()) {
+  if (m.plan.counting() == Counting::Elements) {
     if (resolution != 1) return;
     m.passedMs = m.d.add(m.passedMs, m.d.zext(ticks, 16, restBits), restBits);
     passTimers(m, ticks, [](std::uint32_t) { return true; });

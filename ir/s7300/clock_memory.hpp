@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "ir/s7200/machine.hpp"
+#include "ir/machine/machine.hpp"
 
 namespace rungproof {
 

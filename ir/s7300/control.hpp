@@ -2,13 +2,15 @@
 // An FC takes its parameters by reference; an FB works on its instance, into which the call copies what it is given and
 // from which it copies what it hands out (002:154-169, 002:255). The return gives back DB and DI register (002:222);
 // accumulators, AR1 and the RLO stay as the block left them; of AR2, CALL of an FB takes care (general knowledge).
-// Part of ir/s7200/scan.hpp: members of Scan.
+// Members of Scan (ir/machine/scan.hpp).
 #pragma once
 
 #include <algorithm>
 #include <utility>
 
+#include "ir/machine/scan.hpp"
 #include "ir/s7300/block.hpp"
+#include "ir/s7300/cpu.hpp"
 #include "ir/s7300/handed_pointer.hpp"
 #include "ir/s7300/interrupt_lock.hpp"
 #include "ir/s7300/timer.hpp"

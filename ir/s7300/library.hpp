@@ -1,9 +1,11 @@
 // Blocks of the CPU and of the standard libraries (002:2328-2651): their numbers, usual names and parameters. A
-// program's own block of the same number is meant before them. Tested by tests/step7/library_test.cpp.
+// program's own block of the same number is meant before them. Each is a struct in a file of ir/s7300/library. Tested
+// by tests/step7/library_test.cpp.
 #pragma once
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "ir/program.hpp"
@@ -18,6 +20,17 @@ struct LibraryBlock {
   /// "IN:BOOL PT:TIME|Q:BOOL ET:TIME||STATE:BYTE": inputs, outputs, in-outs, static data. RET_VAL stands first among
   /// the outputs.
   std::string_view parameters;
+  bool isBuiltIn =
+      false;  ///< its struct says over any domain what it does (`run`); without `run`: outputs have any value
+  bool isContract = false;  ///< what its outputs are is told nowhere: any value after each call
+  bool actsOnCpu = false;   ///< does something to interrupts, errors or the watchdog (ir/s7300/control.hpp)
+  bool readsClock = false;  ///< proofs know no time of day
+  bool stopsCpu = false;
+  std::string_view head = {};        ///< temporary data and statements in front of `statements`
+  std::string_view statements = {};  ///< what it does, as a statement list over its parameters
+  /// The same of a contract in front of its outputs; given the bytes of the image of the inputs.
+  std::string (*begin)(std::uint32_t imageBytes) = nullptr;
+  std::string_view outside = {};  ///< what a proof takes for granted of it, as a sentence
 };
 
 std::span<const LibraryBlock> libraryBlocks();
@@ -29,10 +42,6 @@ const LibraryBlock* libraryBlockNamed(std::string_view name);
 std::span<const std::uint16_t> functionsBeyondParameters();
 /// The same of SFBs: those that work on inputs and outputs of the CPU themselves.
 std::span<const std::uint16_t> blocksBeyondParameters();
-/// Whether its meaning stands in ir/s7300/system_block.hpp.
-bool isBuiltIn(const LibraryBlock& block);
-/// Whether its calls do something to interrupts, errors or the watchdog of the CPU, which ir/s7300/control.hpp states.
-bool actsOnCpu(const LibraryBlock& block);
 /// Parameters and static data; those of an SFB laid out as its instance.
 std::shared_ptr<const Structure> interfaceOf(const LibraryBlock& block);
 

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "ir/block_map.hpp"
-#include "ir/s7200/machine.hpp"
+#include "ir/check.hpp"
+#include "ir/machine/machine.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/pointer_code.hpp"
 

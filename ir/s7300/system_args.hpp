@@ -1,5 +1,5 @@
 // What blocks of the CPU and of the libraries work on that have no statements: the parameters of the call that runs, by
-// their numbers in the interface (ir/s7300/library.cpp), and the memory that an ANY leads to. What the description of a
+// their numbers in the interface (ir/s7300/library), and the memory that an ANY leads to. What the description of a
 // block leaves open is any value. Tested by tests/step7/block_transfer_test.cpp.
 #pragma once
 

@@ -5,7 +5,7 @@
 // instruction which started the timer has left for that moment.
 #pragma once
 
-#include "ir/s7200/machine.hpp"
+#include "ir/machine/machine.hpp"
 
 namespace rungproof {
 

@@ -7,9 +7,8 @@
 #include <utility>
 
 #include "engine/concrete.hpp"
-#include "ir/s7200/reading.hpp"
-#include "ir/s7200/scan.hpp"
-#include "ir/s7200/timer_refresh.hpp"
+#include "ir/families/run.hpp"
+#include "ir/machine/reading.hpp"
 #include "ir/s7300/control.hpp"
 
 namespace rungproof::agreement7 {

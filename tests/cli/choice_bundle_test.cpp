@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ir/s7200/choices.hpp"
+#include "ir/machine/choices.hpp"
 #include "tests/iec/iec_output.hpp"
 
 namespace rungproof {

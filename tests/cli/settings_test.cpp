@@ -3,6 +3,7 @@
 
 #include "frontend/files/closest_word.hpp"
 #include "frontend/settings/options.hpp"
+#include "ir/s7200/cpu.hpp"
 
 namespace rungproof {
 namespace {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "ir/s7300/cpu.hpp"
+
 namespace rungproof::test {
 
 namespace {

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "analysis/unread/cone_of_influence.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "tests/differential/program_generator.hpp"
 
 namespace rungproof {

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "frontend/input/project.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "tests/corpus/corpus_program.hpp"
 #include "tests/drawing/equality.hpp"
 #include "tests/drawing/networks.hpp"

@@ -11,8 +11,8 @@
 
 #include "analysis/encoding/symbolic_store.hpp"
 #include "analysis/graph/z3_terms.hpp"
+#include "ir/machine/dispatch.hpp"
 #include "ir/s7200/args.hpp"
-#include "ir/s7200/dispatch.hpp"
 
 namespace rungproof::testing {
 

@@ -6,8 +6,8 @@
 
 #include "engine/dispatch_concrete.hpp"
 #include "engine/start_up.hpp"
+#include "ir/families/run.hpp"
 #include "ir/s7200/isa.hpp"
-#include "ir/s7200/scan.hpp"
 
 namespace rungproof {
 namespace {
@@ -22,7 +22,7 @@ struct GeneralForms {
   void freshLocal(auto&, unsigned, std::uint32_t) {}
 };
 struct ChosenForms : GeneralForms {
-  Execute<Concrete> entry(const FlowStep& step) { return executionOf(*step.instruction, false); }
+  Execute<Concrete> entry(const FlowStep& step) { return executionOf(*step.instruction, StatementForm::Rungs); }
 };
 
 template <class Hooks>
@@ -79,7 +79,7 @@ TEST(Dispatch, ControlInstructionsHaveNoFunction) {
   Instruction jump;
   jump.desc = s7200Instructions().named("JMP");
   jump.operands.push_back(constant(1));
-  EXPECT_EQ(executionOf(jump, false), nullptr);
+  EXPECT_EQ(executionOf(jump, StatementForm::Rungs), nullptr);
 }
 
 }  // namespace

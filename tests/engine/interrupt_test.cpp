@@ -1,6 +1,7 @@
 // Interrupts in whole scans: priority and order, queues and their overflow, DISI, timed periods, T32, edges, STOP in a
 // routine, saved registers (001:5327-5547).
 #include "engine/interrupt_queue.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "tests/engine/rig.hpp"
 
 namespace rungproof {

@@ -1,5 +1,6 @@
 // Modes and start-up: STOP and RUN, power cycles and what is retained, the data block, watchdog and fatal errors,
 // forced values (001:1603-1690, 001:2337-2364, 001:5691-5722, 001:7954-7976).
+#include "ir/s7200/cpu.hpp"
 #include "tests/engine/rig.hpp"
 
 namespace rungproof {
@@ -151,10 +152,12 @@ TEST(Watchdog, RestartsOfAnEndlessLoopEnd) {
   };
   const Cpu smart = *cpuNamed("ST40");
   const std::string byJump = "LBL 1\nLD SM0.0\nWDR\nINCW VW0\nLDN M0.0\nJMP 1\n";
-  const std::string byRoutine = "LBL 1\nLD SM0.0\nCALL SBR0\nLDN M0.0\nJMP 1\nEND_ORGANIZATION_BLOCK\n"
-                                "SUBROUTINE_BLOCK SBR0:SBR0\nBEGIN\nNETWORK 1\nLD SM0.0\nWDR\n"
-                                "END_SUBROUTINE_BLOCK\n";
-  for (const auto& [target, us] : {std::pair{Target(smart, usualEdition(smart)), 5'000'000U}, {Target(), 25'000'000U}}) {
+  const std::string byRoutine =
+      "LBL 1\nLD SM0.0\nCALL SBR0\nLDN M0.0\nJMP 1\nEND_ORGANIZATION_BLOCK\n"
+      "SUBROUTINE_BLOCK SBR0:SBR0\nBEGIN\nNETWORK 1\nLD SM0.0\nWDR\n"
+      "END_SUBROUTINE_BLOCK\n";
+  for (const auto& [target, us] :
+       {std::pair{Target(smart, usualEdition(smart)), 5'000'000U}, {Target(), 25'000'000U}}) {
     EXPECT_GE(lengthOf(byJump, target), us);
     EXPECT_LE(lengthOf(byJump, target), us + 2000);
   }

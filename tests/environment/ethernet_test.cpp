@@ -1,6 +1,7 @@
 // GET and PUT of the S7-200 SMART as devices: when the status changes, where an answer may be written and where not. A
 // request ends before any later scan or never; GET fills the own data that its table named when the request was made.
 // What the CPU refuses at once is not stated: any request may be, with any code of 1 to 5.
+#include "ir/s7200/cpu.hpp"
 #include "tests/engine/rig.hpp"
 #include "tests/prover/proved_text.hpp"
 

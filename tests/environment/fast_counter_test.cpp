@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analysis/equivalence/equivalence.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "tests/prover/proved_text.hpp"
 
 namespace rungproof::test {

@@ -2,6 +2,7 @@
 // it needs, and a verdict that rests on a chosen one says so.
 #include <gtest/gtest.h>
 
+#include "ir/s7200/cpu.hpp"
 #include "tests/environment/asked.hpp"
 
 namespace rungproof {

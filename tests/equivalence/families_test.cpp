@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "ir/s7300/cpu.hpp"
 #include "tests/equivalence/pair.hpp"
 
 namespace rungproof::test {

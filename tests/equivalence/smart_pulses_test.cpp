@@ -2,6 +2,7 @@
 // and 3 are Q0.3 and Q0.2. Numbers that look the same mean something else in the other family.
 #include <fmt/format.h>
 
+#include "ir/s7200/cpu.hpp"
 #include "tests/equivalence/pair.hpp"
 
 namespace rungproof::test {

@@ -4,6 +4,7 @@
 
 #include "analysis/read_errors.hpp"
 #include "analysis/unread/unread_code.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "tests/equivalence/pair.hpp"
 
 namespace rungproof::test {

@@ -13,7 +13,7 @@
 #include "frontend/explain/idea_page.hpp"
 #include "frontend/settings/code_list.hpp"
 #include "frontend/settings/options.hpp"
-#include "ir/s7200/choices.hpp"
+#include "ir/machine/choices.hpp"
 
 namespace rungproof {
 namespace {

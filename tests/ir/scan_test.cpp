@@ -1,9 +1,8 @@
 // The walk over a program: jumps, guards and the concrete domain together.
-#include "ir/s7200/scan.hpp"
-
 #include <gtest/gtest.h>
 
 #include "engine/concrete.hpp"
+#include "ir/families/run.hpp"
 #include "ir/s7200/isa.hpp"
 
 namespace rungproof {

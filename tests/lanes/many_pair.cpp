@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "ir/s7300/cpu.hpp"
+
 namespace rungproof::test {
 
 namespace {

@@ -24,10 +24,12 @@ namespace fs = std::filesystem;
 const std::map<std::string, std::set<std::string>> roomsBelow = {
     {"engine/platform", {}},
     {"ir", {}},
-    // The families run on one machine, of which each has its part.
-    {"ir/s7200", {"ir", "ir/s7300", "ir/iec"}},
-    {"ir/s7300", {"ir", "ir/s7200"}},
-    {"ir/iec", {"ir", "ir/s7200"}},
+    // The families run on one machine, and know nothing of each other.
+    {"ir/machine", {"ir"}},
+    {"ir/s7200", {"ir", "ir/machine"}},
+    {"ir/s7300", {"ir", "ir/machine"}},
+    {"ir/iec", {"ir", "ir/machine"}},
+    {"ir/families", {"ir", "ir/machine", "ir/s7200", "ir/s7300", "ir/iec"}},
     {"engine", {"ir"}},
     {"analysis", {"ir", "engine"}},
     {"analysis/flow", {"ir", "engine", "analysis"}},
@@ -108,10 +110,8 @@ TEST(Layout, IncludesPointOneWay) {
       const std::string folder = (*i)[1], target = roomOf(folder);
       ++count;
       const std::set<std::string>& below = roomsBelow.at(room);
-      const bool isFamily = target.starts_with("ir/");
-      const bool isList = room == "ir" && source.path.filename() == "dialect.cpp";  // names all families
-      EXPECT_TRUE(target == room || below.contains(target) || (isFamily && (isList || below.contains("ir"))))
-          << source.path << " includes from " << folder;
+      const bool isOfIr = target.starts_with("ir/") && !room.starts_with("ir") && below.contains("ir");
+      EXPECT_TRUE(target == room || below.contains(target) || isOfIr) << source.path << " includes from " << folder;
     }
   }
   EXPECT_GT(count, 700u) << "the search no longer finds the includes";
@@ -143,20 +143,14 @@ std::vector<std::string> circleIn(const std::map<std::string, std::set<std::stri
   return {};
 }
 
-/// The machine, which the families share, and its instructions are one.
-std::string wholeFamily(const std::string& folder) {
-  return folder.starts_with("ir/s7") || folder.starts_with("ir/iec") ? "ir/s7200" : folder;
-}
-
 TEST(Layout, FoldersIncludeInNoCircle) {
   EXPECT_TRUE(circleIn({{"a", {"b", "c"}}, {"b", {"c"}}}).empty());
   EXPECT_EQ(circleIn({{"a", {"b"}}, {"b", {"c"}}, {"c", {"b"}}}), (std::vector<std::string>{"b", "c"}));
   const std::regex include("#include \"([a-z_/0-9]+)/[a-z_0-9]+\\.hpp\"");
   std::map<std::string, std::set<std::string>> below;
   for (const Source& source : sources()) {
-    if (source.folder == "ir" && source.path.filename() == "dialect.cpp") continue;  // the list of families
     for (std::sregex_iterator i(source.text.begin(), source.text.end(), include), end; i != end; ++i) {
-      const std::string from = wholeFamily(source.folder), to = wholeFamily((*i)[1]);
+      const std::string from = source.folder, to = (*i)[1];
       if (from != to) below[from].insert(to);
     }
   }
@@ -249,8 +243,8 @@ TEST(Layout, LinesAreAsWideAsTheFormatAllows) {
 /// Readers and printers of text, which have to know how instructions are spelt. Everybody else asks the descriptor.
 bool mayKnowSpellings(const Source& source) {
   static const std::set<std::string> rooms = {
-      "ir",           "ir/s7200",     "ir/s7200/isa",   "ir/s7300",           "ir/s7300/isa",    "ir/iec",
-      "frontend/iec", "frontend/stl", "frontend/step7", "frontend/graphical", "frontend/plcopen"};
+      "ir",     "ir/families",  "ir/s7200",     "ir/s7200/isa",   "ir/s7300",           "ir/s7300/isa",
+      "ir/iec", "frontend/iec", "frontend/stl", "frontend/step7", "frontend/graphical", "frontend/plcopen"};
   static const std::set<std::string> files = {"explain.cpp", "completion.cpp", "instruction_page.cpp",
                                               "swallowed_text.cpp"};
   return rooms.contains(source.folder) || files.contains(source.path.filename().string());
@@ -297,6 +291,54 @@ TEST(Layout, OnlyReadersAndPrintersKnowHowInstructionsAreSpelt) {
     }
   }
   EXPECT_GT(knowing, 20u) << "the search no longer finds the readers";
+}
+
+/// The part of a line that compares a family by its name instead of asking it (ir/family.hpp), or nothing.
+std::string familyAsked(const std::string& line) {
+  static const std::regex named(
+      "\\b(is|has|are|of)(Of)?(Step7|S7200|S7300|S7400|Iec)(Old|New)?_?\\b|"  // questions, flags filled by them
+      "\\b(s7200|s7300|s7400|iec)Dialect\\b|\\bfirst(Step7|Iec)Cpu\\b|\\bEdition::(Step7|Iec)\\b|"
+      "(==|!=|&) *dialect::|\\bdialect::\\w+\\)* *(==|!=|&)|"
+      "(==|!=) *\"(s7-[234]00|iec|S7-[234]00|IEC 61131-3)\"|dynamic_cast<const (Step7|Iec)");
+  static constexpr std::string_view marks[] = {
+      "Step7", "Iec", "S7200", "S7300", "S7400", "dialect::", "Dialect", "\"s7-", "\"S7-", "\"iec", "\"IEC"};
+  const auto has = [&](std::string_view mark) { return line.find(mark) != std::string::npos; };
+  if (std::ranges::none_of(marks, has)) return "";
+  std::smatch match;
+  return std::regex_search(line, match, named) ? match.str() : "";
+}
+
+/// The families themselves, their list, and who reads or prints the text of one of them.
+bool mayNameFamilies(const Source& source) {
+  static const std::set<std::string> rooms = {
+      "ir/families",  "ir/s7200",     "ir/s7200/isa",     "ir/s7300",       "ir/s7300/isa",
+      "ir/iec",       "ir/iec/isa",   "frontend/reader",  "frontend/step7", "frontend/input",
+      "frontend/iec", "frontend/stl", "frontend/explain", "frontend/mc7",   "frontend/s7project"};
+  const std::string file = source.path.filename().string();
+  return rooms.contains(source.folder) || (source.folder == "frontend/command" && file == "explain.cpp");
+}
+
+TEST(Layout, NobodyComparesAFamilyByItsName) {
+  for (const char* line : {"  if (isStep7(program.target)) return;", "if (plan.isIec()) return;", "bool isStep7_;",
+                           "const bool isOfIec = x;", "if (&dialectOf(cpu) == &s7300Dialect)",
+                           "if ((set & dialect::S7200) == 0)", "if (rule.dialects != dialect::Iec)",
+                           "return dialect.name == \"s7-300\";", "cpu >= firstStep7Cpu", "const bool isStep7New = x;"})
+    EXPECT_NE(familyAsked(line), "") << line;
+  for (const char* line : {"if (facts.form() == StatementForm::Rungs) return;", "    .dialects = dialect::S7200,",
+                           "if (before.set == after.set) return true;", "const bool isTimer = isIecTimer(block);"})
+    EXPECT_EQ(familyAsked(line), "") << line;
+  std::size_t naming = 0;
+  for (const Source& source : sources()) {
+    std::istringstream in(source.text);
+    for (std::string line; std::getline(in, line);) {
+      const std::string asked = line.find_first_not_of(' ') == line.find("//") ? "" : familyAsked(line);
+      if (mayNameFamilies(source))
+        naming += asked.empty() ? 0 : 1;
+      else
+        EXPECT_EQ(asked, "") << source.path << ": " << line;
+    }
+  }
+  EXPECT_GT(naming, 10u) << "the search no longer finds the families";
 }
 
 /// Who reads a file, a comment or a baseline tells what is wrong with it on the spot, under the id of a rule that has

@@ -1,7 +1,7 @@
 // All instruction meanings compiled for the blurred domain of the bench.
 #include "blurred.hpp"
-#include "ir/s7200/dispatch.hpp"
-#include "ir/s7200/isa_list.hpp"
+#include "ir/machine/dispatch.hpp"
+#include "ir/s7200/isa/list.hpp"
 
 namespace rungproof {
 

@@ -2,8 +2,7 @@
 // tests/mutation (changed meanings).
 #pragma once
 
-#include "ir/s7200/scan.hpp"
-#include "ir/s7200/timer_refresh.hpp"
+#include "ir/families/run.hpp"
 #include "plant.hpp"
 
 namespace rungproof::manual {

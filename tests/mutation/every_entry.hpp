@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "ir/s7200/dispatch.hpp"
+#include "ir/machine/dispatch.hpp"
 #include "tests/mutation/mutated.hpp"
 
 namespace rungproof::mutation {

@@ -1,6 +1,6 @@
 // All instruction meanings compiled for the mutated domain, and the changes to an instruction as a whole.
-#include "ir/s7200/dispatch.hpp"
-#include "ir/s7200/isa_list.hpp"
+#include "ir/machine/dispatch.hpp"
+#include "ir/s7200/isa/list.hpp"
 #include "tests/mutation/every_entry.hpp"
 
 namespace rungproof {

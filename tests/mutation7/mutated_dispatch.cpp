@@ -1,8 +1,8 @@
 // All meanings of the S7-300/400 compiled for the mutated domain, and the changes to an instruction as a whole.
 #include <cstdlib>
 
-#include "ir/s7200/dispatch.hpp"
-#include "ir/s7300/isa_list.hpp"
+#include "ir/families/instructions.hpp"
+#include "ir/machine/dispatch.hpp"
 #include "tests/mutation/every_entry.hpp"
 
 namespace rungproof {

@@ -1,9 +1,9 @@
 // All meanings of IEC 61131-3 compiled for the mutated domain, and an instruction left out as a whole.
 #include <cstdlib>
 
+#include "ir/families/instructions.hpp"
 #include "ir/iec/expression_role.hpp"
-#include "ir/iec/isa_list.hpp"
-#include "ir/s7200/dispatch.hpp"
+#include "ir/machine/dispatch.hpp"
 #include "tests/mutation/every_entry.hpp"
 
 namespace rungproof {

@@ -2,7 +2,7 @@
 #include "analysis/witness/exploration.hpp"
 
 #include "analysis/encoding/asked_properties.hpp"
-#include "ir/s7200/reading.hpp"
+#include "ir/machine/reading.hpp"
 #include "proved_text.hpp"
 
 namespace rungproof::test {

@@ -101,7 +101,7 @@ file(WRITE ${SCRATCH}/seen.cpp [[
 #include <algorithm>
 
 #include "ir/s7200/cpu.hpp"
-#include "ir/s7200/isa_list.hpp"
+#include "ir/s7200/isa/list.hpp"
 namespace rungproof {
 static_assert(cpuRow(s7200Cpu("999")).onBoard.inputs == 8);
 static_assert(std::ranges::any_of(isa::instructionTable, [](const Desc& desc) { return desc.stl == "SCRATCH"; }));

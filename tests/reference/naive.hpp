@@ -1,6 +1,6 @@
 // A second interpreter, slow and plain on purpose: it is written from the manual alone, knows neither the instruction
 // table nor the machine of ir/, and dispatches on the text of the mnemonic. It exists to be believed. It is linked into
-// tests only; nothing else may use it. Where the manual is silent it follows the defaults of ir/s7200/choices.hpp.
+// tests only; nothing else may use it. Where the manual is silent it follows the defaults of ir/machine/choices.hpp.
 // Left out: the devices (HDEF, HSC, PLS, XMT, RCV, NETR, NETW) and interrupt routines that run.
 #pragma once
 

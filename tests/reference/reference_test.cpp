@@ -9,6 +9,7 @@
 
 #include "engine/simulator.hpp"
 #include "frontend/input/project.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "ir/s7200/isa.hpp"
 #include "likeness.hpp"
 #include "naive.hpp"

@@ -8,6 +8,7 @@
 #include <random>
 #include <set>
 
+#include "ir/s7200/cpu.hpp"
 #include "ir/s7200/isa.hpp"
 #include "likeness.hpp"
 #include "smart_case.hpp"

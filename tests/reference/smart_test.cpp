@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "ir/s7200/cpu.hpp"
 #include "ir/s7200/isa.hpp"
 #include "likeness.hpp"
 #include "smart_case.hpp"

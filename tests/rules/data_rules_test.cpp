@@ -1,6 +1,7 @@
 // Rules ARI, PTR, HSP and STY on cases that their examples do not show. Lines are those of the text, from 1.
 #include <gtest/gtest.h>
 
+#include "ir/s7200/cpu.hpp"
 #include "tests/rules/lint.hpp"
 
 namespace rungproof::testing {

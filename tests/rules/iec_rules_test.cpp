@@ -2,6 +2,7 @@
 // program, or a whole text. What is expected stands in the reason: the standard's words or what the statements do.
 #include <gtest/gtest.h>
 
+#include "ir/s7200/cpu.hpp"
 #include "tests/rules/lint.hpp"
 
 namespace rungproof::testing {

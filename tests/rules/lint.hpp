@@ -10,6 +10,7 @@
 #include "analysis/rule.hpp"
 #include "frontend/input/project.hpp"
 #include "frontend/property/property_reader.hpp"
+#include "ir/s7200/cpu.hpp"
 
 namespace rungproof::testing {
 

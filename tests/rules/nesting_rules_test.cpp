@@ -1,5 +1,6 @@
 // Rules NST: parentheses, the RLO, labels, edges and BR of the S7-300/400. Each case gives its reason.
 #include "analysis/flow/step7_blocks.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "tests/rules/step7_cases.hpp"
 
 namespace rungproof::testing {

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "analysis/flow/operand_check.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "ir/s7200/isa.hpp"
 #include "tests/rules/lint.hpp"
 

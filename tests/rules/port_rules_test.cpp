@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/flow/analogue_flow.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "lint.hpp"
 
 namespace rungproof::testing {

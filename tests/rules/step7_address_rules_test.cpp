@@ -1,6 +1,7 @@
 // ADR013: the limits stand in the rows of ir/s7300/cpu.hpp. A 314 has 256 bytes of M, 256 timers and counters, images
 // of 1024 bytes, 2048 bytes of L, data blocks of 32768 bytes and two accumulators; a 414 has 6000 data blocks.
 #include "ir/dialect.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "tests/rules/step7_cases.hpp"
 
 namespace rungproof::testing {

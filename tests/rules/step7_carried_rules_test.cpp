@@ -1,4 +1,5 @@
 // Rules of both families on programs of the S7-300/400: found and not found. Each case gives its reason.
+#include "ir/s7200/cpu.hpp"
 #include "tests/rules/step7_cases.hpp"
 
 namespace rungproof::testing {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ir/s7200/cpu.hpp"
 #include "tests/rules/lint.hpp"
 
 namespace rungproof::testing {

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "analysis/flow/statement_paths.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "tests/rules/step7_cases.hpp"
 
 namespace rungproof::testing {

@@ -1,4 +1,5 @@
 // Rules S5T, and TIM on the S7-300/400: S5 timers and counters, IEC timers. Each case gives its reason.
+#include "ir/s7200/cpu.hpp"
 #include "tests/rules/step7_cases.hpp"
 
 namespace rungproof::testing {

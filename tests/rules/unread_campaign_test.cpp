@@ -12,6 +12,7 @@
 
 #include "analysis/lint/lint.hpp"
 #include "analysis/read_errors.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "tests/rules/lint.hpp"
 
 namespace rungproof::testing {

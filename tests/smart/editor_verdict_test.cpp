@@ -6,6 +6,7 @@
 #include "analysis/flow/facts.hpp"
 #include "analysis/lint/lint.hpp"
 #include "frontend/input/program_input.hpp"
+#include "ir/s7200/cpu.hpp"
 
 namespace rungproof {
 namespace {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/unread/unread_code.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "tests/environment/asked.hpp"
 
 namespace rungproof::test {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "frontend/settings/retentive_range.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "tests/prover/proved_text.hpp"
 
 namespace rungproof {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/simulator.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "tests/environment/asked.hpp"
 
 namespace rungproof::test {

@@ -10,6 +10,7 @@
 #include "frontend/explain/step7_page.hpp"
 #include "frontend/step7/library_source.hpp"
 #include "ir/dialect.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/fbd_box.hpp"
 #include "ir/s7300/isa.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ir/iec/isa/iec_group.hpp"
-#include "ir/s7200/call_contract.hpp"
+#include "ir/machine/library_effect.hpp"
 
 namespace rungproof::isa::iec {
 

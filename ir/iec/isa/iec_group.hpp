@@ -3,7 +3,7 @@
 // the stack is empty, so that jumps never meet values. A width is 1 (BOOL), 8, 16, 32 or 64 bits.
 #pragma once
 
-#include "ir/s7200/isa/group.hpp"
+#include "ir/machine/instruction_group.hpp"
 
 namespace rungproof::isa::iec {
 

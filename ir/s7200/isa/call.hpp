@@ -1,4 +1,4 @@
-// Subroutines: CALL, CRET, RET (001:6731-6838). Their meaning is in ir/s7200/scan.hpp.
+// Subroutines: CALL, CRET, RET (001:6731-6838). Their meaning is in ir/s7200/control.hpp.
 // What each kind of parameter may be is in ir/s7200/call_parameters.hpp. Tests: tests/manual/call_test.cpp.
 #pragma once
 

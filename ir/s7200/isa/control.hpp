@@ -1,5 +1,5 @@
 // Program control: END MEND STOP WDR JMP LBL FOR NEXT DLED (001:5687-5801, 001:5886-5915).
-// What moves the flow of the program has its meaning in ir/s7200/scan.hpp; here are the descriptors.
+// What moves the flow of the program has its meaning in ir/s7200/control.hpp; here are the descriptors.
 // Tests: tests/manual/control_test.cpp.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace rungproof::isa {
 
-/// Base of instructions whose meaning is in ir/s7200/scan.hpp.
+/// Base of instructions whose meaning is in ir/s7200/control.hpp.
 struct InScan {
   template <class D>
   static void run(Machine<D>&, Args<D>&) {}

@@ -1,34 +1,5 @@
-// Group: the list of instruction types that a file of ir/s7200/isa defines. isa_list.hpp joins the groups.
+// What the files of ir/s7200/isa share: groups of instructions, and the operands of the one that runs.
 #pragma once
 
+#include "ir/machine/instruction_group.hpp"
 #include "ir/s7200/args.hpp"
-
-namespace rungproof::isa {
-
-template <class... Ops>
-struct Group {
-  static constexpr std::size_t size = sizeof...(Ops);
-};
-
-template <class... Groups>
-struct Join;
-template <class... A>
-struct Join<Group<A...>> {
-  using type = Group<A...>;
-};
-template <class... A, class... B, class... Rest>
-struct Join<Group<A...>, Group<B...>, Rest...> {
-  using type = typename Join<Group<A..., B...>, Rest...>::type;
-};
-
-/// A structural string so that a mnemonic can be a template argument of a family.
-template <std::size_t N>
-struct Name {
-  char characters[N];
-  constexpr Name(const char (&text)[N]) {
-    for (std::size_t i = 0; i < N; ++i) characters[i] = text[i];
-  }
-  constexpr std::string_view view() const { return {characters, N - 1}; }
-};
-
-}  // namespace rungproof::isa

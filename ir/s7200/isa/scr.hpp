@@ -1,5 +1,5 @@
 // Sequence control relays: LSCR SCRT CSCRE SCRE (001:5803-5884, 000:7974-8004).
-// Their meaning is in ir/s7200/scan.hpp; what an inactive segment does is Choice::InactiveScr.
+// Their meaning is in ir/s7200/control.hpp; what an inactive segment does is Choice::InactiveScr.
 // Tests: tests/manual/scr_test.cpp.
 #pragma once
 

@@ -3,7 +3,8 @@
 // line is given).
 #pragma once
 
-#include "ir/s7200/isa/group.hpp"
+#include "ir/machine/instruction_group.hpp"
+#include "ir/s7300/cpu.hpp"
 #include "ir/s7300/handed_pointer.hpp"
 
 namespace rungproof::isa::step7 {

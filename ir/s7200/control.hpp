@@ -1,160 +1,51 @@
-// Scan<D, Hooks>: one pass of the program over a domain. It gives control instructions their meaning (JMP, FOR,
-// CALL, SCR, END, STOP, interrupt entry) and walks the rest through the dispatch table.
-// Hooks: those of the walk (ir/flow_walk.hpp); a hook entry(step), if there is one, gives the function to run for the
-// instruction, nullptr for control instructions.
+// What moves the flow of a program of rungs: JMP, FOR, CALL, SCR, END, STOP and the entry of interrupt routines.
+// Members of Scan (ir/machine/scan.hpp).
 #pragma once
 
-#include "ir/flow_walk.hpp"
+#include "ir/machine/scan.hpp"
 #include "ir/s7200/args.hpp"
-#include "ir/s7200/dispatch.hpp"
-#include "ir/s7200/plan.hpp"
 
 namespace rungproof {
 
+/// Runs the main program once. The stack at its start is not stated (Choice::MainStack).
 template <class D, class Hooks>
-class Scan : private FlowWalk<Scan<D, Hooks>, Machine<D>, Hooks> {
-  using Base = FlowWalk<Scan<D, Hooks>, Machine<D>, Hooks>;
-  friend Base;
-  using Base::branch;
-  using Base::hooks_;
-  using Base::inside;
-  using Base::m_;
-  using Base::walk;
-  using typename Base::Walk;
+void Scan<D, Hooks>::rungProgram() {
+  const Flow* main = m_.plan.main();
+  if (main == nullptr) return;
+  m_.frame = 0;
+  freshLocals(0);
+  enterStack(m_.d.constant(false));
+  m_.when(m_.reads({Choice::MainStack, "unknown"}), [&] {
+    for (std::uint32_t i = 0; i < m_.stackLevels; ++i) m_.setLevel(i, m_.externalBit(External::StackBottom, i));
+  });
+  ended_ = m_.d.constant(false);
+  walk(*main);
+}
 
- public:
-  using Bool = typename D::Bool;
-  using Bits = typename D::Bits;
-
-  Scan(Machine<D>& machine, Hooks& hooks, int loopLimit = 256, std::size_t stepLimit = ~std::size_t{0})
-      : Base(machine, hooks, loopLimit, stepLimit),
-        dispatch_(machine.plan.isStep7() ? step7DispatchTable<D>()
-                  : machine.plan.isIec() ? iecDispatchTable<D>()
-                                         : dispatchTable<D>()) {}
-
-  Machine<D>& machine() { return m_; }
-
-  /// Runs the main program once. The stack at its start is not stated (Choice::MainStack).
-  void program() {
-    if (m_.plan.isStep7()) return step7Program();
-    if (m_.plan.isIec()) return iecProgram();
-    const Flow* main = m_.plan.main();
-    if (main == nullptr) return;
-    m_.frame = 0;
-    freshLocals(0);
-    enterStack(m_.d.constant(false));
-    m_.when(m_.reads({Choice::MainStack, "unknown"}), [&] {
-      for (std::uint32_t i = 0; i < m_.stackLevels; ++i) m_.setLevel(i, m_.externalBit(External::StackBottom, i));
-    });
+/// Stack, accumulators, SM1 and ENO are saved around the routine (001:5430). Its stack starts as Choice::InterruptStack
+/// says.
+template <class D, class Hooks>
+void Scan<D, Hooks>::rungInterrupt(int number, Bool condition) {
+  const Flow* routine = m_.plan.interrupt(number);
+  if (routine == nullptr) return;
+  m_.when(condition, [&] {
+    freshLocals(interruptFrame);
+    const Context saved = enter(interruptFrame);
+    m_.stack[0] = m_.reads({Choice::InterruptStack, "one"});
+    std::array<Bits, 4> accumulators;
+    for (std::uint32_t i = 0; i < 4; ++i) accumulators[i] = m_.get(Reg::Accumulator, i);
+    const Bits status = m_.load(Area::SM, 1, Width::Byte);
+    const Bool eno = m_.getBit(Reg::Eno);
+    m_.inInterrupt = true;
+    walk(*routine);
+    m_.inInterrupt = false;
     ended_ = m_.d.constant(false);
-    walk(*main);
-  }
-
-  /// Runs interrupt routine `number` where `condition` holds: stack, accumulators, SM1 and ENO are saved around it
-  /// (001:5430). Its stack starts as Choice::InterruptStack says.
-  void interrupt(int number, Bool condition) {
-    if (m_.plan.isStep7()) return interruptBlock(number, condition);
-    const Flow* routine = m_.plan.interrupt(number);
-    if (routine == nullptr) return;
-    m_.when(condition, [&] {
-      freshLocals(interruptFrame);
-      const Context saved = enter(interruptFrame);
-      m_.stack[0] = m_.reads({Choice::InterruptStack, "one"});
-      std::array<Bits, 4> accumulators;
-      for (std::uint32_t i = 0; i < 4; ++i) accumulators[i] = m_.get(Reg::Accumulator, i);
-      const Bits status = m_.load(Area::SM, 1, Width::Byte);
-      const Bool eno = m_.getBit(Reg::Eno);
-      m_.inInterrupt = true;
-      walk(*routine);
-      m_.inInterrupt = false;
-      ended_ = m_.d.constant(false);
-      m_.save(Area::SM, 1, Width::Byte, status);
-      m_.setBit(Reg::Eno, 0, eno);
-      for (std::uint32_t i = 0; i < 4; ++i) m_.set(Reg::Accumulator, i, accumulators[i]);
-      leave(saved);
-    });
-  }
-
- private:
-  struct Context {
-    LogicStack<D> stack;
-    Bool scrActive;
-    unsigned frame;
-    const Instruction* current;
-  };
-
-  void enterStack(Bool top) {
-    m_.stack.fill(m_.d.constant(false));
-    m_.stack[0] = top;
-    m_.scrActive = m_.d.constant(true);
-  }
-  /// Called block: stack 1, 0, ... (001:6765), local memory undefined (001:1373).
-  Context enter(unsigned frame) {
-    Context saved{m_.stack, m_.scrActive, m_.frame, m_.current};
-    enterStack(m_.d.constant(true));
-    m_.frame = frame;
-    return saved;
-  }
-  void freshLocals(unsigned frame) { freshBytes(frame * frameBytes, frameBytes); }
-  void leave(const Context& saved) {
-    m_.stack = saved.stack;
-    m_.scrActive = saved.scrActive;
-    m_.frame = saved.frame;
-    m_.current = saved.current;
-  }
-
-  /// Runs one step; walk() has set the machine's `current`.
-  void execute(Walk& w, std::uint32_t at) {
-    const FlowStep& step = w.flow.steps[at];
-    if (m_.plan.isStep7() && step.instruction->desc->control != Control::None) {
-      step7Control(w, at);
-    } else if (m_.plan.isIec() && step.instruction->desc->control != Control::None) {
-      iecControl(w, at);
-    } else if constexpr (requires { hooks_.entry(step); }) {
-      if (const Execute<D> run = hooks_.entry(step); run != nullptr) {
-        run(m_, *step.instruction);
-      } else {
-        control(w, at);
-      }
-    } else if (step.instruction->desc->control == Control::None) {
-      dispatch_[step.instruction->desc->opcode](m_, *step.instruction);
-    } else {
-      control(w, at);
-    }
-    if (m_.plan.isStep7()) serveError();
-  }
-  void control(Walk& w, std::uint32_t at);
-  void call(const Instruction& instruction);
-  void copyIn(const Instruction& instruction, const Pou& callee, unsigned calleeFrame);
-  void copyOut(const Instruction& instruction, const Pou& callee, unsigned calleeFrame);
-  void forLoop(Walk& w, std::uint32_t at);
-  void nextRound(Walk& w, std::uint32_t at);
-  void stop(Walk& w);
-  // ir/iec/control.hpp
-  void iecProgram();
-  void iecControl(Walk& w, std::uint32_t at);
-  // ir/s7300/control.hpp
-  void step7Program();
-  void organizationBlock(int number, Bool condition);
-  void interruptBlock(int number, Bool condition);
-  void startInformation(std::uint32_t base, int number, const Step7Registers<D>& interrupted);
-  void systemCall(int number, const Instruction& call);
-  void lockEvents(bool locks, Bits mode, Bits block);
-  void freshBytes(std::uint32_t base, std::uint32_t count);
-  void step7Control(Walk& w, std::uint32_t at);
-  void distribute(Walk& w, std::uint32_t at);
-  void step7Call(const Instruction& instruction);
-  void enterBlock(const Flow& callee, const Instruction& instruction);
-  void forgetOutput(const LocalVariable& formal, const Operand& actual, std::uint32_t number);
-  std::vector<std::pair<std::uint32_t, HandedPointer<D>>> pointersOf(const Instruction& call, const Pou& callee,
-                                                                     std::size_t firstActual);
-  void systemBlock(const Instruction& call);
-  void openActuals(const Instruction& call);
-  void serveError();
-
-  std::span<const Execute<D>> dispatch_;
-  Bool ended_ = m_.d.constant(false);  ///< STOP has ended the interrupt routine that runs
-};
+    m_.save(Area::SM, 1, Width::Byte, status);
+    m_.setBit(Reg::Eno, 0, eno);
+    for (std::uint32_t i = 0; i < 4; ++i) m_.set(Reg::Accumulator, i, accumulators[i]);
+    leave(saved);
+  });
+}
 
 template <class D, class Hooks>
 void Scan<D, Hooks>::control(Walk& w, std::uint32_t at) {
@@ -320,6 +211,3 @@ void Scan<D, Hooks>::copyOut(const Instruction& instruction, const Pou& callee, 
 }
 
 }  // namespace rungproof
-
-#include "ir/iec/control.hpp"    // the members for IEC 61131-3
-#include "ir/s7300/control.hpp"  // and for the S7-300/400

@@ -1,72 +1,12 @@
-// Builds the plan of a program.
-#include "ir/s7200/plan.hpp"
-
+// What a program of blocks needs to know before it runs: which of them run, timers and counters, local memory.
 #include <algorithm>
-#include <array>
-#include <utility>
 
-#include "ir/check.hpp"
-#include "ir/s7200/cpu.hpp"
-#include "ir/s7200/event.hpp"
-#include "ir/s7200/frame.hpp"
+#include "ir/machine/plan.hpp"
+#include "ir/machine/timed_event.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/organization_block.hpp"
 
 namespace rungproof {
-
-TimerKind timerKind(const Desc& desc) {
-  static constexpr std::array<std::pair<std::string_view, TimerKind>, 6> kinds = {{{"TON", TimerKind::OnDelay},
-                                                                                   {"TONR", TimerKind::Retentive},
-                                                                                   {"TOF", TimerKind::OffDelay},
-                                                                                   {"TON.IEC", TimerKind::IecOnDelay},
-                                                                                   {"TOF.IEC", TimerKind::OffDelay},
-                                                                                   {"TP.IEC", TimerKind::IecPulse}}};
-  const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return kind.first == desc.stl; });
-  CHECK(found != kinds.end(), "instruction with a timer operand that is no timer");
-  return found->second;
-}
-
-const TimerUse* Plan::timer(std::uint32_t number) const {
-  const auto found =
-      std::find_if(timers.begin(), timers.end(), [&](const TimerUse& use) { return use.number == number; });
-  return found == timers.end() ? nullptr : &*found;
-}
-
-Plan::Plan(const Program& source, const std::vector<bool>& isLeftOut)
-    : program(&source),
-      blocks(std::make_shared<const BlockMap>(source)),
-      localBytes(rungproof::localBytes),
-      isStep7_(rungproof::isStep7(source.target)) {
-  edge.assign(source.instructionCount(), noPartner);
-  for (const Pou& pou : source.pous) {
-    for (const Network& network : pou.networks) {
-      for (const Instruction& instruction : network.instructions) number(instruction);
-    }
-    flows.push_back(flowOf(pou, isLeftOut));
-    if (isStep7_ || isIec()) continue;
-    for (const FlowStep& step : flows.back().steps) {
-      const Instruction& instruction = *step.instruction;
-      const bool isTimer = instruction.desc->operandCount > 0 && instruction.desc->operands[0].type == Type::Timer;
-      if (!isTimer || instruction.operands.empty()) continue;
-      const TimerUse use{instruction.operands[0].offset, instruction.desc,
-                         timerResolution(static_cast<int>(instruction.operands[0].offset)),
-                         timerKind(*instruction.desc), timer(instruction.operands[0].offset) == nullptr};
-      const bool isKnown = std::any_of(timers.begin(), timers.end(),
-                                       [&](const TimerUse& t) { return t.number == use.number && t.desc == use.desc; });
-      if (!isKnown) timers.push_back(use);
-    }
-  }
-  for (std::uint32_t timer = 0; timer < attachedTimers && !isStep7_ && !isIec(); ++timer) timedEvents.push_back(timer);
-  if (isStep7_) planStep7();
-}
-
-void Plan::number(const Instruction& instruction) {
-  if (isEdge(roleOf(instruction))) edge[instruction.id] = edgeCount++;
-  if (instruction.desc->control != Control::Call) return;
-  for (const Operand& operand : instruction.operands) {
-    if (operand.kind == OperandKind::Text) texts.push_back(&operand);
-  }
-}
 
 namespace {
 
@@ -122,7 +62,7 @@ std::uint32_t localsFrom(const Plan& plan, const Flow& flow, int levels,
 
 }  // namespace
 
-void Plan::planStep7() {
+void Plan::planBlocks() {
   const Step7CpuRow& cpu = step7Row(program->target.cpu);
   for (std::size_t i = 0; i < flows.size(); ++i) {
     if (s7300::mayStart(*program, *flows[i].pou)) codeBlocks_.emplace(flows[i].pou->number, i);
@@ -161,30 +101,6 @@ void Plan::planStep7() {
       localBytes += localsFrom(*this, flow, cpu.nesting, known);
   }
   localBytes = std::max(localBytes, leastLocalBytes);
-}
-
-const Flow* Plan::block(int number) const {
-  const auto found = codeBlocks_.find(number);
-  return found == codeBlocks_.end() ? nullptr : &flows[found->second];
-}
-
-std::uint32_t registerCount(const RegInfo& info, const Plan& plan) {
-  switch (info.count) {
-    case perEdge: return plan.edgeCount;
-    case perTimer: return plan.timerCount;
-    case perCounter: return plan.counterCount;
-    case perS5Timer: return plan.isStep7() ? plan.timerCount : 0;
-    case perS7Counter: return plan.isStep7() ? plan.counterCount : 0;
-    case perCyclicBlock: return plan.isStep7() ? cyclicBlockCount : 0;
-    default: return info.count;
-  }
-}
-
-const Flow* Plan::find(PouKind kind, int number) const {
-  for (const Flow& flow : flows) {
-    if (flow.pou->kind == kind && (number < 0 || flow.pou->number == number)) return &flow;
-  }
-  return nullptr;
 }
 
 }  // namespace rungproof

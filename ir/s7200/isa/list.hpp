@@ -1,5 +1,5 @@
-// All instructions: the groups of ir/s7200/isa joined in the manual's order. Only ir/s7200/isa.cpp and the one source
-// per domain that instantiates its dispatch table include this file.
+// All instructions: the groups of ir/s7200/isa joined in the manual's order. Only ir/s7200/isa/table.cpp and the one
+// source per domain that instantiates its dispatch table include this file.
 #pragma once
 
 #include "ir/s7200/isa/ascii.hpp"
@@ -41,13 +41,6 @@ using AllInstructions =
          RealGroup, IncrementGroup, PidGroup, InterruptGroup, LogicGroup, MoveGroup, ControlGroup, CallGroup, ScrGroup,
          ShiftGroup, TableGroup, TimerGroup, SmartMathGroup, EthernetGroup>::type;
 
-template <class... Ops>
-constexpr std::array<Desc, sizeof...(Ops)> makeTable(Group<Ops...>) {
-  std::array<Desc, sizeof...(Ops)> table = {Ops::desc...};
-  for (std::size_t i = 0; i < table.size(); ++i) table[i].opcode = static_cast<std::uint16_t>(i);
-  return table;
-}
-
 /// Every descriptor, opcode = index.
 inline constexpr auto instructionTable = makeTable(AllInstructions{});
 
@@ -60,10 +53,6 @@ constexpr bool mnemonicsAreUnique() {
   return true;
 }
 static_assert(mnemonicsAreUnique(), "two instructions share a mnemonic");
-
-/// What a domain does with an instruction: one function per opcode.
-template <class D>
-using Execute = void (*)(Machine<D>&, const Instruction&);
 
 template <class D, class... Ops>
 constexpr std::array<Execute<D>, sizeof...(Ops)> makeDispatch(Group<Ops...>) {

@@ -1,5 +1,5 @@
-// All instructions of the IEC 61131-3 machine: the groups of ir/iec/isa joined. Only ir/iec/isa.cpp and the one source
-// per domain that instantiates the dispatch table include it.
+// All instructions of the IEC 61131-3 machine: the groups of ir/iec/isa joined. Only ir/iec/isa/table.cpp and the one
+// source per domain that instantiates the dispatch table include it.
 #pragma once
 
 #include "ir/iec/isa/access.hpp"
@@ -10,7 +10,6 @@
 #include "ir/iec/isa/long_real.hpp"
 #include "ir/iec/isa/real.hpp"
 #include "ir/iec/isa/text.hpp"
-#include "ir/s7200/isa_list.hpp"
 
 namespace rungproof::isa::iec {
 

@@ -1,7 +1,6 @@
 // The table of the instructions of the IEC 61131-3 machine.
 #include "ir/iec/isa.hpp"
-
-#include "ir/iec/isa_list.hpp"
+#include "ir/iec/isa/list.hpp"
 
 namespace rungproof {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "ir/block_map.hpp"
+#include "ir/dialect.hpp"
 #include "ir/flow.hpp"
-#include "ir/iec/cpu.hpp"
-#include "ir/s7200/register.hpp"
+#include "ir/machine/register.hpp"
 
 namespace rungproof {
 
@@ -56,13 +56,16 @@ struct Plan {
   const Flow* interrupt(int number) const { return find(PouKind::Interrupt, number); }
   /// S7-300/400: the block of that number (ir/s7300/block.hpp), or nullptr.
   const Flow* block(int number) const;
-  bool isStep7() const { return isStep7_; }
-  bool isIec() const { return rungproof::isIec(program->target); }
+  const Dialect& dialect() const { return *dialect_; }
+  StatementForm form() const { return form_; }
+  Counting counting() const { return dialect_->run.counting; }
 
  private:
-  bool isStep7_;
+  const Dialect* dialect_;
+  StatementForm form_;                     ///< of the dialect, asked for at each instruction
   std::map<int, std::size_t> codeBlocks_;  ///< index in flows by Pou::number
-  void planStep7();
+  void planBoxes();                        ///< ir/s7200/plan_boxes.cpp
+  void planBlocks();                       ///< ir/s7300/plan_blocks.cpp
   void number(const Instruction& instruction);
   const Flow* find(PouKind kind, int number) const;
 };

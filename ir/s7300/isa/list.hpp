@@ -1,8 +1,8 @@
 // All instructions of the S7-300/400: the groups of ir/s7300/isa joined in the order of the manual's appendix
-// (002:2697-2910). Only ir/s7300/isa.cpp and the one source per domain that instantiates the dispatch table include it.
+// (002:2697-2910). Only ir/s7300/isa/table.cpp and the one source per domain that instantiates the dispatch table
+// include it.
 #pragma once
 
-#include "ir/s7200/isa_list.hpp"
 #include "ir/s7300/isa/arithmetic.hpp"
 #include "ir/s7300/isa/bit_logic.hpp"
 #include "ir/s7300/isa/compare.hpp"

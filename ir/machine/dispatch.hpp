@@ -5,14 +5,14 @@
 #include <functional>
 #include <span>
 
-#include "ir/s7200/machine.hpp"
+#include "ir/machine/machine.hpp"
 
 namespace rungproof {
 
 template <class D>
 using Execute = void (*)(Machine<D>&, const Instruction&);
 
-/// Indexed by Desc::opcode. Control instructions have entries that do nothing; ir/s7200/scan.hpp gives them meaning.
+/// Indexed by Desc::opcode. Control instructions have entries that do nothing; ir/machine/scan.hpp gives them meaning.
 template <class D>
 std::span<const Execute<D>> dispatchTable();
 /// The same for the instructions of the S7-300/400; what their control instructions decide is in Step7Registers::jumps.
@@ -23,7 +23,7 @@ std::span<const Execute<D>> step7DispatchTable();
 template <class D>
 std::span<const Execute<D>> iecDispatchTable();
 
-/// Runs the block of the CPU or of a library that the machine has entered (ir/s7300/system_block.hpp).
+/// Runs the block of the CPU or of a library that the machine has entered (ir/s7300/library/system_block.hpp).
 template <class D>
 void runSystemBlock(Machine<D>& machine, const std::function<void()>& between);
 

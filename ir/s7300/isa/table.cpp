@@ -1,7 +1,6 @@
 // The table of the instructions of the S7-300/400.
 #include "ir/s7300/isa.hpp"
-
-#include "ir/s7300/isa_list.hpp"
+#include "ir/s7300/isa/list.hpp"
 
 namespace rungproof {
 

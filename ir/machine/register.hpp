@@ -8,7 +8,7 @@
 
 #include "ir/area.hpp"
 #include "ir/block_event.hpp"
-#include "ir/s7200/choices.hpp"
+#include "ir/machine/choices.hpp"
 
 namespace rungproof {
 
@@ -91,7 +91,7 @@ struct RegInfo {
   Reg reg;
   std::string_view name;
   std::uint8_t width;   ///< bits
-  std::uint32_t count;  ///< or one of the numbers below, which registerCount() (ir/s7200/plan.hpp) understands
+  std::uint32_t count;  ///< or one of the numbers below, which registerCount() (ir/machine/plan.hpp) understands
 };
 /// One per EU and ED; one per timer or counter; one per timer, counter or cyclic interrupt of an S7-300/400.
 inline constexpr std::uint32_t perEdge = 0, perTimer = 0xFFFFFFFB, perCounter = 0xFFFFFFFC, perS5Timer = 0xFFFFFFFD,
@@ -157,7 +157,7 @@ inline constexpr std::array<RegInfo, static_cast<std::size_t>(Reg::count)> regTa
     {Reg::DiagnosticLed, "DIAG", 1, 1},
     {Reg::Fault, "fault", 1, 1},  // a fatal error has ended the last scan (ir/s7200/scan_cycle.hpp)
     // By choice, two each: whether its second or its third value is the reading; neither: the first
-    // (ir/s7200/reading.hpp).
+    // (ir/machine/reading.hpp).
     {Reg::Reading, "reading", 1, 2 * static_cast<std::uint32_t>(choiceCount)},
     // S7-300/400 beside the bits and inputs of timers and counters (ir/s7300/timer.hpp, ir/s7300/isa/counter.hpp).
     {Reg::S5Rest, "T.rest", 24, perS5Timer},  // ms up to its end

@@ -4,8 +4,8 @@
 // one it needs. Covered by tests/environment/readings_test.cpp.
 #pragma once
 
-#include "ir/s7200/cpu.hpp"
-#include "ir/s7200/register.hpp"
+#include "ir/dialect.hpp"
+#include "ir/machine/register.hpp"
 
 namespace rungproof {
 
@@ -16,10 +16,9 @@ constexpr std::uint32_t readingIndex(Choice choice, std::uint8_t value) {
 constexpr Choice choiceOfReading(std::uint32_t index) { return static_cast<Choice>(index / 2); }
 constexpr std::uint8_t valueOfReading(std::uint32_t index) { return static_cast<std::uint8_t>(index % 2 + 1); }
 
-/// The choices with what the CPU itself makes of those that nobody has made: the S7-200 SMART has no input filter for
-/// analog inputs, so each read of AIW finds a new value; of an S7-300/400 each read of PIW asks the module (002:1292).
+/// The choices with what the CPU itself makes of those that nobody has made.
 inline Choices choicesFor(const Target& target, Choices choices) {
-  if ((isSmart(target) || isStep7(target)) && !choices.isChosen(Choice::AnalogSampling))
+  if (dialectOf(target).memory.samplesAtRead(target) && !choices.isChosen(Choice::AnalogSampling))
     choices.value[static_cast<std::size_t>(Choice::AnalogSampling)] =
         NamedReading(Choice::AnalogSampling, "each-read").value;
   return choices;

@@ -25,22 +25,27 @@ const Row* found(std::span<const Row> Dialect::*list, Wanted isWanted) {
   return nullptr;
 }
 
-const EditionModel& modelOf(Edition edition) {
-  const EditionModel* row = found(&Dialect::editions, [&](const EditionModel& r) { return r.edition == edition; });
-  CHECK(row != nullptr, "every edition has a row");
-  return *row;
-}
-
 }  // namespace
 
 std::span<const Dialect* const> dialects() { return all; }
 
 const Dialect& dialectOf(Cpu cpu) {
-  for (const Dialect* dialect : all) {
-    if (std::ranges::any_of(dialect->cpus, [&](const CpuModel& row) { return row.cpu == cpu; })) return *dialect;
-  }
-  CHECK(false, "every CPU has a dialect");
-  return *all[0];
+  static const auto byCpu = [] {
+    std::array<const Dialect*, sizeof(CpuSet) * 8> dialects{};
+    for (const Dialect* dialect : all) {
+      for (const CpuModel& row : dialect->cpus) dialects[static_cast<std::size_t>(row.cpu)] = dialect;
+    }
+    return dialects;
+  }();
+  const auto number = static_cast<std::size_t>(cpu);
+  CHECK(number < byCpu.size() && byCpu[number] != nullptr, "every CPU has a dialect");
+  return *byCpu[number];
+}
+
+const EditionModel& editionModel(Edition edition) {
+  const EditionModel* row = found(&Dialect::editions, [&](const EditionModel& r) { return r.edition == edition; });
+  CHECK(row != nullptr, "every edition has a row");
+  return *row;
 }
 
 Target::Target() : Target(all[0]->usual) {}
@@ -62,8 +67,8 @@ std::string_view cpuName(Cpu cpu) {
   return row->name;
 }
 
-std::string_view editionName(Edition edition) { return modelOf(edition).name; }
-std::string_view editionText(Edition edition) { return modelOf(edition).text; }
+std::string_view editionName(Edition edition) { return editionModel(edition).name; }
+std::string_view editionText(Edition edition) { return editionModel(edition).text; }
 
 std::optional<Edition> editionNamed(std::string_view name) {
   const EditionModel* row = found(&Dialect::editions, [&](const EditionModel& r) { return r.name == name; });

@@ -1,4 +1,4 @@
-// Machine<D>: the S7-200 as instruction meanings see it, over a domain D of values. It offers the logic stack,
+// Machine<D>: the CPU as instruction meanings see it, over a domain D of values. It offers the logic stack,
 // typed operands, guarded writes, hazards and the ENO bit; the state itself lives in D::Store.
 #pragma once
 
@@ -8,14 +8,14 @@
 #include <optional>
 #include <vector>
 
+#include "ir/address_limit.hpp"
 #include "ir/desc.hpp"
 #include "ir/guarded_run.hpp"
+#include "ir/machine/frame.hpp"
+#include "ir/machine/plan.hpp"
+#include "ir/machine/reading.hpp"
+#include "ir/machine/statement_registers.hpp"
 #include "ir/program.hpp"
-#include "ir/s7200/cpu.hpp"
-#include "ir/s7200/frame.hpp"
-#include "ir/s7200/plan.hpp"
-#include "ir/s7200/reading.hpp"
-#include "ir/s7300/registers.hpp"
 
 namespace rungproof {
 
@@ -116,7 +116,7 @@ class Machine : public GuardedRun<D> {
         store(state),
         plan(programPlan),
         target(programPlan.program->target),
-        features(cpuFeatures(target)),
+        features(programPlan.dialect().run.features(target)),
         stackLevels(static_cast<std::size_t>(features.stackLevels)),
         step7(domain),
         scrActive(domain.constant(true)),
@@ -138,7 +138,7 @@ class Machine : public GuardedRun<D> {
   Bool scrActive;                ///< true outside segments; inside: the SCR stack
   LogicStack<D> stack;           ///< [0] is the top (001:2753)
   std::vector<Bits> evaluation;  ///< IEC 61131-3: values of the statement that runs (ir/iec/isa/iec_group.hpp)
-  unsigned frame = 0;            ///< local memory in use (ir/s7200/frame.hpp)
+  unsigned frame = 0;            ///< local memory in use (ir/machine/frame.hpp)
   bool inInterrupt = false;
   bool isStartUp = false;  ///< S7-300/400: the start-up block runs, which sees cleared inputs
   Bits ticks100;           ///< 100 ms ticks between the starts of the previous and of this scan, width 16 (001:6611)

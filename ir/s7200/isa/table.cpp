@@ -1,8 +1,7 @@
 // The table of the S7-200's instructions, and their other names.
-#include "ir/s7200/isa.hpp"
-
 #include "ir/s7200/error_codes.hpp"
-#include "ir/s7200/isa_list.hpp"
+#include "ir/s7200/isa.hpp"
+#include "ir/s7200/isa/list.hpp"
 
 namespace rungproof {
 

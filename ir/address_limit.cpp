@@ -1,0 +1,23 @@
+// The family of the CPU answers.
+#include "ir/address_limit.hpp"
+
+#include "ir/dialect.hpp"
+
+namespace rungproof {
+
+std::optional<AddressLimit> addressLimit(const Target& target, Area area, Width width) {
+  return dialectOf(target).memory.addressLimit(target, area, width);
+}
+
+bool addressExists(const Target& target, Area area, Width width, std::uint32_t offset, unsigned bit) {
+  return dialectOf(target).memory.addressExists(target, area, width, offset, bit);
+}
+
+std::uint32_t areaSize(const Target& target, Area area) {
+  const Width width = areaInfo(area).width.value_or(Width::Byte);
+  const std::optional<AddressLimit> limit = addressLimit(target, area, width);
+  if (!limit) return 0;
+  return limit->lastByte + static_cast<std::uint32_t>(isAnalogue(area) ? 2 : 1);
+}
+
+}  // namespace rungproof
