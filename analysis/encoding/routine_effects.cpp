@@ -7,6 +7,11 @@
 #include <unordered_map>
 
 #include "analysis/encoding/exact_reals.hpp"
+#include "analysis/encoding/kept_states.hpp"
+#include "analysis/encoding/pointer_targets.hpp"
+#include "analysis/encoding/pointer_values.hpp"
+#include "analysis/encoding/scan_encoding.hpp"
+#include "analysis/encoding/seen_states.hpp"
 #include "analysis/graph/evaluate.hpp"
 #include "ir/s7200/scan.hpp"
 
@@ -15,8 +20,10 @@ namespace rungproof {
 namespace {
 
 constexpr std::size_t trialSteps = 3000;        ///< instructions of a routine, loops unrolled
+constexpr std::size_t trialTargets = 256;       ///< of a pointer
 constexpr int trialLoops = 40;                  ///< rounds of a loop
 constexpr std::size_t mostRoutinesPaired = 12;  ///< more are not tried in both orders
+constexpr std::uint32_t lastSystemStatus = 5;   ///< byte of SM that the system may write at any time
 
 bool isKeptAround(const Place& place) {
   if (place.isRegister) return place.reg == Reg::Accumulator || place.reg == Reg::Eno;
@@ -29,6 +36,15 @@ bool canStayBeside(const Place& place, const Program& program) {
   return !place.isRegister && !isClock &&
          (place.area == Area::V || place.area == Area::M || place.area == Area::Q || place.area == Area::S ||
           place.area == Area::DB);
+}
+
+/// Memory that nothing but programs writes while routines run: of the special memory only what no event brings along.
+bool isOfRules(const Place& place, const Program& program, const Footprint& ofDevices) {
+  if (canStayBeside(place, program)) return true;
+  Footprint own;
+  addKeys(place, own.reads);
+  const bool isSpecial = !place.isRegister && place.area == Area::SM && place.byte() > lastSystemStatus;
+  return isSpecial && !ofDevices.conflictsWith(own);
 }
 
 /// Proofs about REAL arithmetic come to no end: what it decides has no bounds.
@@ -79,6 +95,14 @@ class RoutineEffects::Trial final : private CellSource, private Graph::Listener 
     store->observe({});
     return store;
   }
+  /// Whether a pointer can lead there: nothing is sought of such places.
+  bool isBehindPointer(const Place& place) const {
+    if (place.isRegister) return false;
+    for (std::uint32_t at = place.at; at < place.at + place.width; ++at) {
+      if (behindPointers.contains({place.area, at / 8})) return true;
+    }
+    return false;
+  }
   /// What stood there before the run.
   Node start(const Place& place) { return cellAt(place).start; }
 
@@ -88,6 +112,8 @@ class RoutineEffects::Trial final : private CellSource, private Graph::Listener 
   bool isComplete = true;
   bool mayHalt = false;
   bool readsOverflow = false;
+  std::set<std::pair<Area, std::uint32_t>> behindPointers;  ///< bytes that pointers choose between
+  std::vector<Node> listFacts;                              ///< as written: that lists of targets are complete
 
  private:
   struct Hooks {
@@ -109,9 +135,35 @@ class RoutineEffects::Trial final : private CellSource, private Graph::Listener 
   void report(Hazard hazard, Graph::Bool, const Instruction*) override {
     if (hazard == Hazard::LoopBound) isComplete = false;
   }
-  Graph::Bool targets(Machine<Graph>&, Graph::Bits, Width, Ref<Graph>&) override {
-    isComplete = false;
-    return graph.constant(false);
+  /// By the text of the routine alone: a byte as an index leads to 256 places.
+  std::optional<std::vector<std::uint64_t>> valuesOf(Node pointer, Node guard) {
+    const auto values = graph.listed([&]() -> std::optional<std::vector<std::uint64_t>> {
+      const VariableValues nothing;
+      ValueSet found = ValueEvaluator(graph, nothing).valuesOf(pointer, guard, trialTargets);
+      found.restrict(found.facts().low, found.facts().high, trialTargets);
+      if (!found.isListed() || found.values().size() > trialTargets) return std::nullopt;
+      return found.values();
+    });
+    if (!values || !graph.isAsWritten()) return values;
+    const int width = graph[pointer].width;
+    Graph::Bool isIn = graph.lnot({guard});
+    for (const std::uint64_t value : *values)
+      isIn = graph.lor(isIn, graph.equal({pointer}, graph.literal(value, width), width));
+    listFacts.push_back(isIn.node);
+    return values;
+  }
+  Graph::Bool targets(Machine<Graph>& machine, Graph::Bits pointer, Width width, Ref<Graph>& ref) override {
+    const auto values = valuesOf(pointer.node, machine.guard.node);
+    if (!values) {
+      isComplete = false;
+      return graph.constant(false);
+    }
+    const Graph::Bool legal = placesBehind(graph, machine.target, pointer, width, *values, ref);
+    for (const auto& target : ref.targets) {
+      for (std::uint32_t byte = 0; byte < (static_cast<std::uint32_t>(bits(width)) + 7) / 8; ++byte)
+        behindPointers.emplace(target.area, target.offset + byte);
+    }
+    return legal;
   }
   std::optional<std::vector<std::uint64_t>> locations(Machine<Graph>&, Graph::Bits) override { return std::nullopt; }
   std::optional<std::vector<std::uint64_t>> locationsInBlock(Machine<Graph>&, Graph::Bits, Width) override {
@@ -131,7 +183,7 @@ class RoutineEffects::Trial final : private CellSource, private Graph::Listener 
 };
 
 RoutineEffects::RoutineEffects(const Plan& plan, const MemoryLayout& layout, const std::set<int>& routines,
-                               bool isOfDevices)
+                               bool isOfDevices, const std::vector<Expr>& statements)
     : isOnePassEnough_(!isOfDevices) {
   Trial trial(plan, layout, Rewriting::Full, runs_);
   const auto differ = [&](Graph::Store& a, Graph::Store& b) {
@@ -167,11 +219,13 @@ RoutineEffects::RoutineEffects(const Plan& plan, const MemoryLayout& layout, con
       isOnePassEnough_ = !differ(*trial.run({*a, *b}), *trial.run({*b, *a}));
   }
   isComplete_ = trial.isComplete;
+  hasPointers_ = !trial.behindPointers.empty();
   isOnePassEnough_ = isOnePassEnough_ && isComplete_;
-  if (!isOnePassEnough_ && isComplete_) findBounds(trial);
+  if (!isOnePassEnough_ && isComplete_) findBounds(trial, plan, layout, statements);
 }
 
-void RoutineEffects::findBounds(Trial& trial) {
+void RoutineEffects::findBounds(Trial& trial, const Plan& plan, const MemoryLayout& layout,
+                                const std::vector<Expr>& statements) {
   Graph& graph = trial.graph;
   std::vector<RunBounds::Cell> cells;
   std::map<Place, std::size_t> at;
@@ -182,7 +236,9 @@ void RoutineEffects::findBounds(Trial& trial) {
     cells.push_back({place, before, now, isWritten});
   };
   for (const auto& [routine, places] : written_) {
-    for (const Place& place : places) add(place, true);
+    for (const Place& place : places) {
+      if (!trial.isBehindPointer(place)) add(place, true);
+    }
   }
   // One run of each routine from a state that has come about by some.
   std::vector<RunBounds::Run> runs;
@@ -190,15 +246,60 @@ void RoutineEffects::findBounds(Trial& trial) {
     const auto store = trial.run({routine});
     RunBounds::Run& run = runs.emplace_back();
     for (const Place& place : places) {
+      if (trial.isBehindPointer(place)) continue;
       run.emplace_back(at.at(place), store->value(place));
       RunBounds::Cell& cell = cells[run.back().first];
       cell.isOfReals = cell.isOfReals || usesReals(graph, run.back().second);
     }
     for (const Cell& cell : store->cells()) {
-      if (canStayBeside(cell.place, trial.program())) add(cell.place, false);
+      if (canStayBeside(cell.place, trial.program()) && !trial.isBehindPointer(cell.place)) add(cell.place, false);
     }
   }
+  RuleHints hints;
+  std::vector<Node> roots;
+  for (const RunBounds::Run& run : runs) {
+    for (const auto& [index, after] : run) roots.push_back(after);
+  }
+  const auto addConstant = [&](std::uint64_t value, int width) {
+    if (width > 1) hints.constants[width].insert(value & Graph::maskOf(width));
+  };
+  for (const Node n : coneOf(graph, roots)) {
+    if (graph[n].op == Op::Constant) addConstant(graph[n].value, graph[n].width);
+  }
+  for (const Expr& statement : statements) {
+    auto said = SaidOfMemory::of(statement, layout);
+    if (said == nullptr) continue;
+    for (const Place& place : said->places()) {
+      if (canStayBeside(place, trial.program()) && !trial.isBehindPointer(place)) add(place, false);
+    }
+    for (const ExprNode& n : statement.nodes) {
+      if (n.op != ExprOp::Constant) continue;
+      for (const int width : {8, 16, 32}) addConstant(static_cast<std::uint64_t>(n.value), width);
+    }
+    hints.said.push_back(std::move(said));
+  }
   bounds_.find(graph, cells, runs);
+  std::vector<Place> places;
+  std::vector<int> events;
+  Footprint ofDevices;
+  for (const auto& [event, attached] : attachmentsOf(plan)) {
+    events.push_back(event);
+    addCauseKeys(event, ofDevices);
+  }
+  std::vector<RunBounds::Cell> ofRules;
+  std::vector<std::size_t> number(cells.size(), cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!isOfRules(cells[i].place, trial.program(), ofDevices)) continue;
+    number[i] = ofRules.size();
+    ofRules.push_back(cells[i]);
+    places.push_back(cells[i].place);
+  }
+  for (RunBounds::Run& run : runs) {
+    std::erase_if(run, [&](const auto& left) { return number[left.first] == cells.size(); });
+    for (auto& [index, after] : run) index = number[index];
+  }
+  hints.seen = seenStates(plan, events, places);
+  bounds_.add(keptStates(graph, ofRules, runs, hints));
 }
 
 std::vector<Node> RoutineEffects::facts(Trial& trial) const {
@@ -258,6 +359,7 @@ std::vector<Node> RoutineEffects::facts(Trial& trial) const {
     const Graph::Bool fact = graph.equal({d.node}, graph.literal(d.value, w), w);
     say(d.guard == noNode ? fact : graph.lor(graph.lnot({d.guard}), fact));
   }
+  facts.insert(facts.end(), trial.listFacts.begin(), trial.listFacts.end());
   if (!trial.isComplete || (isOnePassEnough_ && trial.readsOverflow)) say(graph.constant(false));
   return facts;
 }

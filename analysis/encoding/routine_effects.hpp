@@ -3,7 +3,8 @@
 //   - if one run after the other in a fixed order leaves what all others leave (each is the same when it is repeated,
 //   and
 //     they may change places), one run of each is enough, and nothing has to be estimated;
-//   - otherwise bounds are sought that every run keeps (run_bounds.hpp). What no bound holds may become anything.
+//   - otherwise bounds and rules are sought that every run keeps (run_bounds.hpp, kept_states.hpp). What none of them
+//   tells of may become anything.
 // Covered by tests/environment.
 #pragma once
 
@@ -20,15 +21,19 @@ namespace rungproof {
 class RoutineEffects {
  public:
   /// `routines`: numbers of interrupt routines that the program has. `isOfDevices`: some of their events bring values
-  /// of a device with them, so that no run is the same as the one before.
-  RoutineEffects(const Plan& plan, const MemoryLayout& layout, const std::set<int>& routines, bool isOfDevices);
+  /// of a device with them, so that no run is the same as the one before. `statements`: of which runs may keep some.
+  RoutineEffects(const Plan& plan, const MemoryLayout& layout, const std::set<int>& routines, bool isOfDevices,
+                 const std::vector<Expr>& statements = {});
 
   /// One run of each in any fixed order stands for all sequences of runs.
   bool isOnePassEnough() const { return isOnePassEnough_; }
-  /// False: a routine writes through pointers or loops in a way that cannot be told here; places() is not complete.
+  /// False: a routine writes through pointers without known targets or loops in a way that cannot be told here;
+  /// places() is not complete.
   bool isComplete() const { return isComplete_; }
   /// What a routine writes, in cells of the layout. Saved and restored places and local memory are left out.
   const std::vector<Place>& places(int routine) const { return written_.at(routine); }
+  /// places() has more than what pointers of the routines lead to in runs of the program.
+  bool hasPointers() const { return hasPointers_; }
   /// Whether a routine can end the program by a fatal error.
   bool mayHalt(int routine) const { return halting_.contains(routine); }
   /// What any number of runs keeps.
@@ -44,11 +49,12 @@ class RoutineEffects {
 
  private:
   class Trial;
-  void findBounds(Trial& trial);
+  void findBounds(Trial& trial, const Plan& plan, const MemoryLayout& layout, const std::vector<Expr>& statements);
   std::vector<Node> facts(Trial& trial) const;
 
   bool isOnePassEnough_ = true;
   bool isComplete_ = true;
+  bool hasPointers_ = false;
   std::map<int, std::vector<Place>> written_;
   std::set<int> halting_;
   RunBounds bounds_;

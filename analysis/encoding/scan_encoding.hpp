@@ -175,6 +175,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   Node anyOf(std::string name, int width);
   Approximation& estimate();
   void useEstimate(Graph::Bool used);
+  bool isWrittenBy(int routine, const Place& place) const;
   Node state(std::string name, int width);
   void become(Node& place, Graph::Bool condition, Node value) {
     place = graph.make(Op::Ite, graph[place].width, condition.node, value, place);
@@ -228,6 +229,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   bool isClosed_ = false;
   std::optional<std::uint32_t> visit_;  ///< of the instruction at hand, once visitOf() was asked
   bool hasHavoc_ = false;
+  bool hasPointers_ = false;  ///< the program has some, and interrupts
   bool prunesLoops_ = false;
   LoopWidening widening_;
   VariableValues known_, later_;

@@ -59,6 +59,8 @@ struct ScanEncoding::Round {
   Graph::Bool mustGoOn{};          ///< more runs come than are followed
   Graph::Bool mayGoOn{};           ///< they may come whether or not anything has changed
   std::set<int> ran{};             ///< routines
+  /// Where one event alone can come: it did in the pass before. To come in the second only is to come in the first.
+  std::optional<Graph::Bool> cameBefore{};
 };
 
 Node ScanEncoding::state(std::string name, int width) {
@@ -85,6 +87,13 @@ void ScanEncoding::leaveOutNesting() {
 
 void ScanEncoding::beginEvents() {
   if (attachments_.empty()) return;
+  for (const Flow& flow : plan_.flows) {
+    for (const FlowStep& step : flow.steps) {
+      hasPointers_ = hasPointers_ || std::ranges::any_of(step.instruction->operands, [](const Operand& o) {
+                       return o.kind == OperandKind::Indirect;
+                     });
+    }
+  }
   leaveOutNesting();
   std::set<int> detached;
   for (const Flow& flow : plan_.flows) {
@@ -276,6 +285,17 @@ void ScanEncoding::useEstimate(Graph::Bool used) {
   a.used = a.used == noNode ? here(used).node : graph.lor({a.used}, here(used)).node;
 }
 
+/// Pointers lead to fewer places in runs of the program than by the text of their routine alone: to those at which the
+/// encoding has seen a write. The run that begins in what any number of runs could leave is seen too.
+bool ScanEncoding::isWrittenBy(int routine, const Place& place) const {
+  if (!effects_->hasPointers() || place.isRegister) return true;
+  const auto known = knowledge_.footprints.ofRoutine.find(routine);
+  if (known == knowledge_.footprints.ofRoutine.end()) return false;
+  FootprintKeys keys;
+  addKeys(place, keys);
+  return std::ranges::any_of(keys, [&](std::uint64_t key) { return known->second.writes.contains(key); });
+}
+
 // ---- One place ---------------------------------------------------------------------------------------------
 
 void ScanEncoding::interrupts(Runner& runner, std::uint32_t instruction) {
@@ -300,7 +320,9 @@ void ScanEncoding::interrupts(Runner& runner, std::uint32_t instruction) {
   if (!effects_->isOnePassEnough()) {
     for (const int event : round.events) {
       for (const int routine : attachments_.at(event)) {
-        for (const Place& place : effects_->places(routine)) round.before[place] = store_.value(place);
+        for (const Place& place : effects_->places(routine)) {
+          if (isWrittenBy(routine, place)) round.before[place] = store_.value(place);
+        }
       }
     }
   }
@@ -333,8 +355,10 @@ void ScanEncoding::runEvent(Runner& runner, Round& round, int event) {
       waited = graph.land(waited, {siteInput(event, round.where.instruction, 1)});
     }
   }
-  const Graph::Bool comes = graph.land(graph.lnot(waited), graph.land(mayCome, occurs(round, event)));
+  Graph::Bool comes = graph.land(graph.lnot(waited), graph.land(mayCome, occurs(round, event)));
+  if (round.cameBefore) comes = graph.land(comes, *round.cameBefore);
   const Graph::Bool isNoticed = graph.lor(waited, comes);
+  if (round.events.size() == 1) round.cameBefore = isNoticed;
   if (graph.truth(here(isNoticed)) == false) return;
   eventSites.push_back({round.where, event, here(isNoticed).node, here(waited).node});
   if (waits != s.waiting.end())
@@ -365,7 +389,9 @@ void ScanEncoding::runRoutines(Runner& runner, Round& round, int event, Graph::B
     if (graph.truth(here(runs)) == false) continue;
     std::vector<std::pair<Place, Node>> old;
     if (round.isLastPass && !effects_->isOnePassEnough()) {
-      for (const Place& place : effects_->places(number)) old.emplace_back(place, store_.value(place));
+      for (const Place& place : effects_->places(number)) {
+        if (isWrittenBy(number, place)) old.emplace_back(place, store_.value(place));
+      }
     }
     round.ran.insert(number);
     routine_ = number;
@@ -495,12 +521,14 @@ void ScanEncoding::moreRuns(Runner& runner, Round& round) {
   for (const auto& [place, before] : places)
     ends.emplace(place, RunBounds::Ends{before, anyOf("after more " + nameOf(place), place.width)});
   std::vector<Graph::Bool> changing;
+  RunBounds::Change change{[&](const Place& other) {
+    const auto found = ends.find(other);
+    const Node stays = found == ends.end() ? store_.value(other) : noNode;
+    return found == ends.end() ? RunBounds::Ends{stays, stays} : found->second;
+  }};
+  if (hasPointers_) change.isPossible = [&](Graph::Bool condition) { return isPossible(here(condition)); };
   for (const auto& [place, before] : places) {
-    const Graph::Bool isWithin = effects_->bounds().mayChange(graph, place, [&](const Place& other) {
-      const auto found = ends.find(other);
-      const Node stays = found == ends.end() ? store_.value(other) : noNode;
-      return found == ends.end() ? RunBounds::Ends{stays, stays} : found->second;
-    });
+    const Graph::Bool isWithin = effects_->bounds().mayChange(graph, place, change);
     changing.push_back(ofDevices.contains(place) ? more : graph.land(more, isWithin));
   }
   auto changes = changing.begin();
