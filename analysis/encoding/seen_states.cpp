@@ -39,12 +39,13 @@ std::vector<std::map<Place, std::uint64_t>> seenStates(const Plan& plan, const s
   };
   const Program& program = *plan.program;
   const Choices choices = choicesFor(program.target, {});
-  note(powerUpState(plan, choices));
   std::vector<std::uint32_t> instructions;
   for (const Flow& flow : plan.flows) {
     for (const FlowStep& step : flow.steps) instructions.push_back(step.instruction->id);
   }
-  if (instructions.size() > mostInstructionsRun || events.empty()) return states;
+  // What the first scan sets up is there when events come.
+  if (instructions.size() > mostInstructionsRun || events.empty()) note(powerUpState(plan, choices));
+  if (!states.empty()) return states;
   std::mt19937_64 random(1);
   for (const std::uint32_t most : mostEvents) {
     ReplayRun engine(program, choices);

@@ -15,7 +15,7 @@ namespace rungproof {
 /// The value at a place in a state of the engine, as encodings have it: memory with its first byte highest.
 std::uint64_t valueAt(const Place& place, const Concrete::Store& state);
 
-/// Values of the places in states behind power-up, the first of them at power-up; each state once. `events`: those that
+/// Values of the places at the ends of scans, each state once; of a long program at power-up only. `events`: those that
 /// the program attaches.
 std::vector<std::map<Place, std::uint64_t>> seenStates(const Plan& plan, const std::vector<int>& events,
                                                        const std::vector<Place>& places);

@@ -135,9 +135,16 @@ Node StateRule::holds(Graph& graph, const ValueOf& valueOf) const {
     case Kind::AtMost: result = graph.ule(value, constant(constants[0]), w); break;
     case Kind::SignedAtLeast: result = graph.sle(constant(constants[0]), value, w); break;
     case Kind::SignedAtMost: result = graph.sle(value, constant(constants[0]), w); break;
-    case Kind::OneOf:
-      for (const std::uint64_t c : constants) result = graph.lor(result, graph.equal(value, constant(c), w));
+    case Kind::OneOf: {
+      // The ends as well: what follows pointers knows bounds.
+      const auto [low, high] = std::ranges::minmax(constants);
+      result = graph.land(graph.ule(constant(low), value, w), graph.ule(value, constant(high), w));
+      if (high - low + 1 == constants.size()) break;
+      Graph::Bool isListed = graph.constant(false);
+      for (const std::uint64_t c : constants) isListed = graph.lor(isListed, graph.equal(value, constant(c), w));
+      result = graph.land(result, isListed);
       break;
+    }
     case Kind::Same: result = graph.equal(value, {valueOf(other)}, w); break;
     case Kind::NotAbove: result = graph.ule(value, {valueOf(other)}, w); break;
     default: result = graph.sle(value, {valueOf(other)}, w); break;
