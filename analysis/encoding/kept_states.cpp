@@ -21,7 +21,7 @@ constexpr std::size_t mostRules = 160, mostSets = 24;
 constexpr std::size_t mostNodesBlasted = 40'000;
 constexpr double proofSeconds = 20;  ///< of the processor: far more than such proofs take
 
-using State = std::map<Place, std::uint64_t>;
+using SeenState = std::map<Place, std::uint64_t>;
 
 /// Proposals.
 class RuleGuess {
@@ -52,7 +52,7 @@ class RuleGuess {
 
   std::vector<std::uint64_t> seenOf(const Place& place, const std::optional<StateRule::Condition>& where) const {
     std::set<std::uint64_t> values;
-    for (const State& state : hints_.seen) {
+    for (const SeenState& state : hints_.seen) {
       if (!where || (state.at(where->bit) != 0) == where->isOn) values.insert(state.at(place));
     }
     return {values.begin(), values.end()};
@@ -118,7 +118,7 @@ class RuleGuess {
 
   void propose(StateRule rule) {
     if (rules_.size() >= mostRules) return;
-    for (const State& state : hints_.seen) {
+    for (const SeenState& state : hints_.seen) {
       const Node holds =
           rule.holds(graph_, [&](const Place& place) { return graph_.constantNode(state.at(place), place.width); });
       if (graph_[holds].value == 0) return;

@@ -8,8 +8,6 @@
 
 #include "analysis/encoding/exact_reals.hpp"
 #include "analysis/encoding/kept_states.hpp"
-#include "analysis/encoding/pointer_targets.hpp"
-#include "analysis/encoding/pointer_values.hpp"
 #include "analysis/encoding/scan_encoding.hpp"
 #include "analysis/encoding/seen_states.hpp"
 #include "analysis/graph/evaluate.hpp"
@@ -20,7 +18,6 @@ namespace rungproof {
 namespace {
 
 constexpr std::size_t trialSteps = 3000;        ///< instructions of a routine, loops unrolled
-constexpr std::size_t trialTargets = 256;       ///< of a pointer
 constexpr int trialLoops = 40;                  ///< rounds of a loop
 constexpr std::size_t mostRoutinesPaired = 12;  ///< more are not tried in both orders
 constexpr std::uint32_t lastSystemStatus = 5;   ///< byte of SM that the system may write at any time
@@ -95,14 +92,6 @@ class RoutineEffects::Trial final : private CellSource, private Graph::Listener 
     store->observe({});
     return store;
   }
-  /// Whether a pointer can lead there: nothing is sought of such places.
-  bool isBehindPointer(const Place& place) const {
-    if (place.isRegister) return false;
-    for (std::uint32_t at = place.at; at < place.at + place.width; ++at) {
-      if (behindPointers.contains({place.area, at / 8})) return true;
-    }
-    return false;
-  }
   /// What stood there before the run.
   Node start(const Place& place) { return cellAt(place).start; }
 
@@ -112,8 +101,6 @@ class RoutineEffects::Trial final : private CellSource, private Graph::Listener 
   bool isComplete = true;
   bool mayHalt = false;
   bool readsOverflow = false;
-  std::set<std::pair<Area, std::uint32_t>> behindPointers;  ///< bytes that pointers choose between
-  std::vector<Node> listFacts;                              ///< as written: that lists of targets are complete
 
  private:
   struct Hooks {
@@ -135,35 +122,9 @@ class RoutineEffects::Trial final : private CellSource, private Graph::Listener 
   void report(Hazard hazard, Graph::Bool, const Instruction*) override {
     if (hazard == Hazard::LoopBound) isComplete = false;
   }
-  /// By the text of the routine alone: a byte as an index leads to 256 places.
-  std::optional<std::vector<std::uint64_t>> valuesOf(Node pointer, Node guard) {
-    const auto values = graph.listed([&]() -> std::optional<std::vector<std::uint64_t>> {
-      const VariableValues nothing;
-      ValueSet found = ValueEvaluator(graph, nothing).valuesOf(pointer, guard, trialTargets);
-      found.restrict(found.facts().low, found.facts().high, trialTargets);
-      if (!found.isListed() || found.values().size() > trialTargets) return std::nullopt;
-      return found.values();
-    });
-    if (!values || !graph.isAsWritten()) return values;
-    const int width = graph[pointer].width;
-    Graph::Bool isIn = graph.lnot({guard});
-    for (const std::uint64_t value : *values)
-      isIn = graph.lor(isIn, graph.equal({pointer}, graph.literal(value, width), width));
-    listFacts.push_back(isIn.node);
-    return values;
-  }
-  Graph::Bool targets(Machine<Graph>& machine, Graph::Bits pointer, Width width, Ref<Graph>& ref) override {
-    const auto values = valuesOf(pointer.node, machine.guard.node);
-    if (!values) {
-      isComplete = false;
-      return graph.constant(false);
-    }
-    const Graph::Bool legal = placesBehind(graph, machine.target, pointer, width, *values, ref);
-    for (const auto& target : ref.targets) {
-      for (std::uint32_t byte = 0; byte < (static_cast<std::uint32_t>(bits(width)) + 7) / 8; ++byte)
-        behindPointers.emplace(target.area, target.offset + byte);
-    }
-    return legal;
+  Graph::Bool targets(Machine<Graph>&, Graph::Bits, Width, Ref<Graph>&) override {
+    isComplete = false;
+    return graph.constant(false);
   }
   std::optional<std::vector<std::uint64_t>> locations(Machine<Graph>&, Graph::Bits) override { return std::nullopt; }
   std::optional<std::vector<std::uint64_t>> locationsInBlock(Machine<Graph>&, Graph::Bits, Width) override {
@@ -219,7 +180,6 @@ RoutineEffects::RoutineEffects(const Plan& plan, const MemoryLayout& layout, con
       isOnePassEnough_ = !differ(*trial.run({*a, *b}), *trial.run({*b, *a}));
   }
   isComplete_ = trial.isComplete;
-  hasPointers_ = !trial.behindPointers.empty();
   isOnePassEnough_ = isOnePassEnough_ && isComplete_;
   if (!isOnePassEnough_ && isComplete_) findBounds(trial, plan, layout, statements);
 }
@@ -236,9 +196,7 @@ void RoutineEffects::findBounds(Trial& trial, const Plan& plan, const MemoryLayo
     cells.push_back({place, before, now, isWritten});
   };
   for (const auto& [routine, places] : written_) {
-    for (const Place& place : places) {
-      if (!trial.isBehindPointer(place)) add(place, true);
-    }
+    for (const Place& place : places) add(place, true);
   }
   // One run of each routine from a state that has come about by some.
   std::vector<RunBounds::Run> runs;
@@ -246,13 +204,12 @@ void RoutineEffects::findBounds(Trial& trial, const Plan& plan, const MemoryLayo
     const auto store = trial.run({routine});
     RunBounds::Run& run = runs.emplace_back();
     for (const Place& place : places) {
-      if (trial.isBehindPointer(place)) continue;
       run.emplace_back(at.at(place), store->value(place));
       RunBounds::Cell& cell = cells[run.back().first];
       cell.isOfReals = cell.isOfReals || usesReals(graph, run.back().second);
     }
     for (const Cell& cell : store->cells()) {
-      if (canStayBeside(cell.place, trial.program()) && !trial.isBehindPointer(cell.place)) add(cell.place, false);
+      if (canStayBeside(cell.place, trial.program())) add(cell.place, false);
     }
   }
   RuleHints hints;
@@ -270,7 +227,7 @@ void RoutineEffects::findBounds(Trial& trial, const Plan& plan, const MemoryLayo
     auto said = SaidOfMemory::of(statement, layout);
     if (said == nullptr) continue;
     for (const Place& place : said->places()) {
-      if (canStayBeside(place, trial.program()) && !trial.isBehindPointer(place)) add(place, false);
+      if (canStayBeside(place, trial.program())) add(place, false);
     }
     for (const ExprNode& n : statement.nodes) {
       if (n.op != ExprOp::Constant) continue;
@@ -359,7 +316,6 @@ std::vector<Node> RoutineEffects::facts(Trial& trial) const {
     const Graph::Bool fact = graph.equal({d.node}, graph.literal(d.value, w), w);
     say(d.guard == noNode ? fact : graph.lor(graph.lnot({d.guard}), fact));
   }
-  facts.insert(facts.end(), trial.listFacts.begin(), trial.listFacts.end());
   if (!trial.isComplete || (isOnePassEnough_ && trial.readsOverflow)) say(graph.constant(false));
   return facts;
 }

@@ -27,13 +27,10 @@ class RoutineEffects {
 
   /// One run of each in any fixed order stands for all sequences of runs.
   bool isOnePassEnough() const { return isOnePassEnough_; }
-  /// False: a routine writes through pointers without known targets or loops in a way that cannot be told here;
-  /// places() is not complete.
+  /// False: a routine writes through pointers or loops in a way that cannot be told here; places() is not complete.
   bool isComplete() const { return isComplete_; }
   /// What a routine writes, in cells of the layout. Saved and restored places and local memory are left out.
   const std::vector<Place>& places(int routine) const { return written_.at(routine); }
-  /// places() has more than what pointers of the routines lead to in runs of the program.
-  bool hasPointers() const { return hasPointers_; }
   /// Whether a routine can end the program by a fatal error.
   bool mayHalt(int routine) const { return halting_.contains(routine); }
   /// What any number of runs keeps.
@@ -54,7 +51,6 @@ class RoutineEffects {
 
   bool isOnePassEnough_ = true;
   bool isComplete_ = true;
-  bool hasPointers_ = false;
   std::map<int, std::vector<Place>> written_;
   std::set<int> halting_;
   RunBounds bounds_;

@@ -175,7 +175,6 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   Node anyOf(std::string name, int width);
   Approximation& estimate();
   void useEstimate(Graph::Bool used);
-  bool isWrittenBy(int routine, const Place& place) const;
   Node state(std::string name, int width);
   void become(Node& place, Graph::Bool condition, Node value) {
     place = graph.make(Op::Ite, graph[place].width, condition.node, value, place);

@@ -285,17 +285,6 @@ void ScanEncoding::useEstimate(Graph::Bool used) {
   a.used = a.used == noNode ? here(used).node : graph.lor({a.used}, here(used)).node;
 }
 
-/// Pointers lead to fewer places in runs of the program than by the text of their routine alone: to those at which the
-/// encoding has seen a write. The run that begins in what any number of runs could leave is seen too.
-bool ScanEncoding::isWrittenBy(int routine, const Place& place) const {
-  if (!effects_->hasPointers() || place.isRegister) return true;
-  const auto known = knowledge_.footprints.ofRoutine.find(routine);
-  if (known == knowledge_.footprints.ofRoutine.end()) return false;
-  FootprintKeys keys;
-  addKeys(place, keys);
-  return std::ranges::any_of(keys, [&](std::uint64_t key) { return known->second.writes.contains(key); });
-}
-
 // ---- One place ---------------------------------------------------------------------------------------------
 
 void ScanEncoding::interrupts(Runner& runner, std::uint32_t instruction) {
@@ -320,9 +309,7 @@ void ScanEncoding::interrupts(Runner& runner, std::uint32_t instruction) {
   if (!effects_->isOnePassEnough()) {
     for (const int event : round.events) {
       for (const int routine : attachments_.at(event)) {
-        for (const Place& place : effects_->places(routine)) {
-          if (isWrittenBy(routine, place)) round.before[place] = store_.value(place);
-        }
+        for (const Place& place : effects_->places(routine)) round.before[place] = store_.value(place);
       }
     }
   }
@@ -389,9 +376,7 @@ void ScanEncoding::runRoutines(Runner& runner, Round& round, int event, Graph::B
     if (graph.truth(here(runs)) == false) continue;
     std::vector<std::pair<Place, Node>> old;
     if (round.isLastPass && !effects_->isOnePassEnough()) {
-      for (const Place& place : effects_->places(number)) {
-        if (isWrittenBy(number, place)) old.emplace_back(place, store_.value(place));
-      }
+      for (const Place& place : effects_->places(number)) old.emplace_back(place, store_.value(place));
     }
     round.ran.insert(number);
     routine_ = number;

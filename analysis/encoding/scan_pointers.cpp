@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "analysis/encoding/pointer_targets.hpp"
 #include "analysis/encoding/scan_encoding.hpp"
 #include "ir/s7200/isa/comm.hpp"
 #include "ir/s7300/place.hpp"
@@ -79,30 +78,7 @@ std::optional<std::vector<std::uint64_t>> ScanEncoding::targetsOf(Node pointer, 
   return values;
 }
 
-Graph::Bool placesBehind(Graph& graph, const Target& target, Graph::Bits pointer, Width width,
-                         const std::vector<std::uint64_t>& values, Ref<Graph>& ref,
-                         const std::function<void(std::uint32_t)>& tell) {
-  Graph::Bool legal = graph.constant(true);
-  for (const std::uint64_t value : values) {
-    const Graph::Bool isValue = graph.equal(pointer, graph.literal(value, 32), 32);
-    const auto address = static_cast<std::uint32_t>(value);
-    const bool isPlace = pointer::isLegal(target, address, width);
-    if (isPlace && tell) tell(address);
-    if (isPlace)
-      ref.targets.push_back({isValue, *pointer::areaOf(address), pointer::offsetOf(address)});
-    else
-      legal = graph.land(legal, graph.lnot(isValue));
-  }
-  if (ref.targets.empty()) return graph.constant(false);
-  if (values.size() == 1) {
-    ref.isPlace = true;
-    ref.area = ref.targets[0].area;
-    ref.offset = ref.targets[0].offset;
-    ref.targets.clear();
-  }
-  return legal;
-}
-
+/// The values that the pointer can have here decide between a few places; a legal one is always among them.
 Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, Width width, Ref<Graph>& ref) {
   const bool isOfDevice = machine.current != nullptr && machine.current->desc->group == "communication";
   // What no operand names is the own data of GET.
@@ -118,7 +94,25 @@ Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, 
     a.carriers.push_back(input("pointer is legal", 1));
     return {a.carriers.back()};
   }
-  return placesBehind(graph, machine.target, pointer, width, *values, ref, tell);
+  Graph::Bool legal = graph.constant(true);
+  for (const std::uint64_t value : *values) {
+    const Graph::Bool isValue = graph.equal(pointer, graph.literal(value, 32), 32);
+    const auto address = static_cast<std::uint32_t>(value);
+    const bool isPlace = pointer::isLegal(machine.target, address, width);
+    if (isPlace) tell(address);
+    if (isPlace)
+      ref.targets.push_back({isValue, *pointer::areaOf(address), pointer::offsetOf(address)});
+    else
+      legal = graph.land(legal, graph.lnot(isValue));
+  }
+  if (ref.targets.empty()) return graph.constant(false);
+  if (values->size() == 1) {
+    ref.isPlace = true;
+    ref.area = ref.targets[0].area;
+    ref.offset = ref.targets[0].offset;
+    ref.targets.clear();
+  }
+  return legal;
 }
 
 std::optional<std::vector<std::uint64_t>> ScanEncoding::locations(Machine<Graph>& machine, Graph::Bits location) {
