@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "analysis/encoding/monitor.hpp"
+#include "analysis/encoding/state_rule.hpp"
 #include "ir/s7200/cpu.hpp"
 
 namespace rungproof {
@@ -34,7 +35,10 @@ struct AskedProperties::Leaf {
 
 AskedProperties::AskedProperties(const Program& program, const PropertySet& set, const std::vector<Property>& goals,
                                  EncoderOptions options, ExecutionRecord* record) {
-  for (const Property& property : goals) addObserved(property, options);
+  for (const Property& property : goals) {
+    addObserved(property, options);
+    for (Expr& said : statementsIn(property)) options.statements.push_back(std::move(said));
+  }
   std::vector<const Property*> everyInstruction;
   for (const Property& property : goals) {
     if (!property.atEveryInstruction) continue;

@@ -43,7 +43,7 @@ class EncodedScan::Impl {
     }
     if (options.trail) effects = options.trail->effects;  // of whoever wants others
     if (!routines.empty() && !effects)
-      effects = std::make_shared<const RoutineEffects>(plan, layout, routines, isOfDevices);
+      effects = std::make_shared<const RoutineEffects>(plan, layout, routines, isOfDevices, options.statements);
     for (int round = 0; !learn(); ++round) {
       if (round == roundLimit) knowledge.followsPointers = false;
     }

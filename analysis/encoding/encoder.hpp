@@ -17,6 +17,7 @@
 #include "analysis/encoding/told_facts.hpp"
 #include "analysis/encoding/trail.hpp"
 #include "analysis/graph/transition_system.hpp"
+#include "analysis/property.hpp"
 #include "engine/scan_script.hpp"
 #include "engine/start_up.hpp"
 #include "ir/machine/choices.hpp"
@@ -42,6 +43,8 @@ struct EncoderOptions {
   std::optional<std::vector<RetentiveRange>> retentive{};  ///< those of the system block; nothing: the CPU's default
   std::vector<ExternalBytes> externals;
   Operands observed;  ///< direct operands that properties read: they shape the state variables
+  /// What properties say of one moment: perhaps any number of interrupts keeps it.
+  std::vector<Expr> statements{};
   /// By Instruction::id: what cannot reach any question and is not encoded (analysis/unread/cone_of_influence.hpp).
   std::vector<bool> isLeftOut;
   /// What blocks without text write is as much as their contract says (ir/s7200/call_contract.hpp); false: anything.

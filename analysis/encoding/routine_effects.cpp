@@ -7,6 +7,9 @@
 #include <unordered_map>
 
 #include "analysis/encoding/exact_reals.hpp"
+#include "analysis/encoding/kept_states.hpp"
+#include "analysis/encoding/scan_encoding.hpp"
+#include "analysis/encoding/seen_states.hpp"
 #include "analysis/graph/evaluate.hpp"
 #include "ir/families/run.hpp"
 
@@ -17,6 +20,7 @@ namespace {
 constexpr std::size_t trialSteps = 3000;        ///< instructions of a routine, loops unrolled
 constexpr int trialLoops = 40;                  ///< rounds of a loop
 constexpr std::size_t mostRoutinesPaired = 12;  ///< more are not tried in both orders
+constexpr std::uint32_t lastSystemStatus = 5;   ///< byte of SM that the system may write at any time
 
 bool isKeptAround(const Place& place) {
   if (place.isRegister) return place.reg == Reg::Accumulator || place.reg == Reg::Eno;
@@ -29,6 +33,15 @@ bool canStayBeside(const Place& place, const Program& program) {
   return !place.isRegister && !isClock &&
          (place.area == Area::V || place.area == Area::M || place.area == Area::Q || place.area == Area::S ||
           place.area == Area::DB);
+}
+
+/// Memory that nothing but programs writes while routines run: of the special memory only what no event brings along.
+bool isOfRules(const Place& place, const Program& program, const Footprint& ofDevices) {
+  if (canStayBeside(place, program)) return true;
+  Footprint own;
+  addKeys(place, own.reads);
+  const bool isSpecial = !place.isRegister && place.area == Area::SM && place.byte() > lastSystemStatus;
+  return isSpecial && !ofDevices.conflictsWith(own);
 }
 
 /// Proofs about REAL arithmetic come to no end: what it decides has no bounds.
@@ -131,7 +144,7 @@ class RoutineEffects::Trial final : private CellSource, private Graph::Listener 
 };
 
 RoutineEffects::RoutineEffects(const Plan& plan, const MemoryLayout& layout, const std::set<int>& routines,
-                               bool isOfDevices)
+                               bool isOfDevices, const std::vector<Expr>& statements)
     : isOnePassEnough_(!isOfDevices) {
   Trial trial(plan, layout, Rewriting::Full, runs_);
   const auto differ = [&](Graph::Store& a, Graph::Store& b) {
@@ -168,10 +181,11 @@ RoutineEffects::RoutineEffects(const Plan& plan, const MemoryLayout& layout, con
   }
   isComplete_ = trial.isComplete;
   isOnePassEnough_ = isOnePassEnough_ && isComplete_;
-  if (!isOnePassEnough_ && isComplete_) findBounds(trial);
+  if (!isOnePassEnough_ && isComplete_) findBounds(trial, plan, layout, statements);
 }
 
-void RoutineEffects::findBounds(Trial& trial) {
+void RoutineEffects::findBounds(Trial& trial, const Plan& plan, const MemoryLayout& layout,
+                                const std::vector<Expr>& statements) {
   Graph& graph = trial.graph;
   std::vector<RunBounds::Cell> cells;
   std::map<Place, std::size_t> at;
@@ -198,7 +212,51 @@ void RoutineEffects::findBounds(Trial& trial) {
       if (canStayBeside(cell.place, trial.program())) add(cell.place, false);
     }
   }
+  RuleHints hints;
+  std::vector<Node> roots;
+  for (const RunBounds::Run& run : runs) {
+    for (const auto& [index, after] : run) roots.push_back(after);
+  }
+  const auto addConstant = [&](std::uint64_t value, int width) {
+    if (width > 1) hints.constants[width].insert(value & Graph::maskOf(width));
+  };
+  for (const Node n : coneOf(graph, roots)) {
+    if (graph[n].op == Op::Constant) addConstant(graph[n].value, graph[n].width);
+  }
+  for (const Expr& statement : statements) {
+    auto said = SaidOfMemory::of(statement, layout);
+    if (said == nullptr) continue;
+    for (const Place& place : said->places()) {
+      if (canStayBeside(place, trial.program())) add(place, false);
+    }
+    for (const ExprNode& n : statement.nodes) {
+      if (n.op != ExprOp::Constant) continue;
+      for (const int width : {8, 16, 32}) addConstant(static_cast<std::uint64_t>(n.value), width);
+    }
+    hints.said.push_back(std::move(said));
+  }
   bounds_.find(graph, cells, runs);
+  std::vector<Place> places;
+  std::vector<int> events;
+  Footprint ofDevices;
+  for (const auto& [event, attached] : attachmentsOf(plan)) {
+    events.push_back(event);
+    addCauseKeys(event, ofDevices);
+  }
+  std::vector<RunBounds::Cell> ofRules;
+  std::vector<std::size_t> number(cells.size(), cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!isOfRules(cells[i].place, trial.program(), ofDevices)) continue;
+    number[i] = ofRules.size();
+    ofRules.push_back(cells[i]);
+    places.push_back(cells[i].place);
+  }
+  for (RunBounds::Run& run : runs) {
+    std::erase_if(run, [&](const auto& left) { return number[left.first] == cells.size(); });
+    for (auto& [index, after] : run) index = number[index];
+  }
+  hints.seen = seenStates(plan, events, places);
+  bounds_.add(keptStates(graph, ofRules, runs, hints));
 }
 
 std::vector<Node> RoutineEffects::facts(Trial& trial) const {

@@ -3,7 +3,8 @@
 //   - if one run after the other in a fixed order leaves what all others leave (each is the same when it is repeated,
 //   and
 //     they may change places), one run of each is enough, and nothing has to be estimated;
-//   - otherwise bounds are sought that every run keeps (run_bounds.hpp). What no bound holds may become anything.
+//   - otherwise bounds and rules are sought that every run keeps (run_bounds.hpp, kept_states.hpp). What none of them
+//   tells of may become anything.
 // Covered by tests/environment.
 #pragma once
 
@@ -20,8 +21,9 @@ namespace rungproof {
 class RoutineEffects {
  public:
   /// `routines`: numbers of interrupt routines that the program has. `isOfDevices`: some of their events bring values
-  /// of a device with them, so that no run is the same as the one before.
-  RoutineEffects(const Plan& plan, const MemoryLayout& layout, const std::set<int>& routines, bool isOfDevices);
+  /// of a device with them, so that no run is the same as the one before. `statements`: of which runs may keep some.
+  RoutineEffects(const Plan& plan, const MemoryLayout& layout, const std::set<int>& routines, bool isOfDevices,
+                 const std::vector<Expr>& statements = {});
 
   /// One run of each in any fixed order stands for all sequences of runs.
   bool isOnePassEnough() const { return isOnePassEnough_; }
@@ -44,7 +46,7 @@ class RoutineEffects {
 
  private:
   class Trial;
-  void findBounds(Trial& trial);
+  void findBounds(Trial& trial, const Plan& plan, const MemoryLayout& layout, const std::vector<Expr>& statements);
   std::vector<Node> facts(Trial& trial) const;
 
   bool isOnePassEnough_ = true;

@@ -331,28 +331,67 @@ void RunBounds::Search::prove(std::vector<Bound>& bounds, const std::vector<Boun
 }
 
 void RunBounds::find(Graph& graph, const std::vector<Cell>& cells, const std::vector<Run>& runs) {
+  for (const Cell& cell : cells) {
+    if (cell.isWritten) written_.insert(cell.place);
+  }
   bounds_ = Search(graph, cells, runs).bounds();
-  group(cells);
+  group();
 }
 
-/// Cells that bounds of two connect change together or not at all.
-void RunBounds::group(const std::vector<Cell>& cells) {
-  std::map<Place, Place> root;
-  for (const Cell& cell : cells) {
-    if (cell.isWritten) root.emplace(cell.place, cell.place);
+void RunBounds::add(std::vector<StateRules> kept) {
+  kept_ = std::move(kept);
+  group();
+}
+
+std::set<Place> RunBounds::placesOf(std::size_t number) const {
+  std::set<Place> places;
+  if (number < bounds_.size()) {
+    const Bound& bound = bounds_[number];
+    places.insert(bound.place);
+    if (bound.isOfTwo()) places.insert(bound.other);
+    return places;
   }
+  for (const StateRule& rule : kept_[number - bounds_.size()]) {
+    const std::vector<Place> named = rule.places();
+    places.insert(named.begin(), named.end());
+  }
+  return places;
+}
+
+Node RunBounds::holds(Graph& graph, std::size_t number, const EndsOf& ends,
+                      const std::function<bool(Graph::Bool)>& isPossible) const {
+  if (number < bounds_.size()) return bounds_[number].holds(graph, ends);
+  const StateRules& rules = kept_[number - bounds_.size()];
+  const Graph::Bool before = allHold(graph, rules, [&](const Place& place) { return ends(place).before; });
+  const Graph::Bool after = allHold(graph, rules, [&](const Place& place) { return ends(place).after; });
+  if (isPossible && placesOf(number).size() == 1 && !isPossible(graph.lnot(before))) return after.node;
+  return graph.lor(graph.lnot(before), after).node;
+}
+
+/// Cells that a bound of two or a set of rules connects change together or not at all.
+void RunBounds::group() {
+  groupOf_.clear();
+  groups_.clear();
+  std::map<Place, Place> root;
+  for (const Place& place : written_) root.emplace(place, place);
   const auto rootOf = [&](Place place) {
     while (root.at(place) != place) place = root.at(place);
     return place;
   };
-  for (const Bound& bound : bounds_) {
-    if (bound.isOfTwo() && root.contains(bound.place) && root.contains(bound.other))
-      root.at(rootOf(bound.place)) = rootOf(bound.other);
+  const auto writtenOf = [&](std::size_t number) {
+    std::set<Place> places = placesOf(number);
+    std::erase_if(places, [&](const Place& place) { return !written_.contains(place); });
+    return places;
+  };
+  for (std::size_t i = 0; i < count(); ++i) {
+    const std::set<Place> places = writtenOf(i);
+    for (const Place& place : places) root.at(rootOf(place)) = rootOf(*places.begin());
   }
   std::map<Place, std::size_t> numbers;
-  for (std::size_t i = 0; i < bounds_.size(); ++i) {
-    const Place& written = root.contains(bounds_[i].place) ? bounds_[i].place : bounds_[i].other;
-    const std::size_t number = numbers.try_emplace(rootOf(written), numbers.size()).first->second;
+  for (std::size_t i = 0; i < count(); ++i) {
+    const std::set<Place> places = writtenOf(i);
+    if (places.empty()) continue;
+    const std::size_t number = numbers.try_emplace(rootOf(*places.begin()), numbers.size()).first->second;
     groups_.resize(numbers.size());
     groups_[number].push_back(i);
   }
@@ -362,20 +401,19 @@ void RunBounds::group(const std::vector<Cell>& cells) {
   }
 }
 
-Graph::Bool RunBounds::mayChange(Graph& graph, const Place& place, const EndsOf& ends) const {
-  Graph::Bool result = graph.constant(true);
+Graph::Bool RunBounds::mayChange(Graph& graph, const Place& place, Change& change) const {
   const auto group = groupOf_.find(place);
-  if (group == groupOf_.end()) return result;
-  for (const std::size_t i : groups_[group->second]) result = graph.land(result, {bounds_[i].holds(graph, ends)});
-  return result;
+  if (group == groupOf_.end()) return graph.constant(true);
+  const auto [known, isNew] = change.known.try_emplace(group->second, graph.constant(true));
+  if (!isNew) return known->second;
+  for (const std::size_t i : groups_[group->second])
+    known->second = graph.land(known->second, {holds(graph, i, change.ends, change.isPossible)});
+  return known->second;
 }
 
 std::vector<Place> RunBounds::places() const {
   std::set<Place> places;
-  for (const Bound& bound : bounds_) {
-    places.insert(bound.place);
-    if (bound.isOfTwo()) places.insert(bound.other);
-  }
+  for (std::size_t i = 0; i < count(); ++i) places.merge(placesOf(i));
   return {places.begin(), places.end()};
 }
 
@@ -385,18 +423,19 @@ std::vector<Node> RunBounds::facts(Graph& graph, const std::vector<Cell>& cells,
   for (std::size_t i = 0; i < cells.size(); ++i) at.emplace(cells[i].place, i);
   const auto cellOf = [&](const Place& place) -> const Cell& { return cells[at.at(place)]; };
   Graph::Bool areWithin = graph.constant(true);
-  for (const Bound& bound : bounds_) {
-    facts.push_back(bound.holds(graph, [&](const Place& p) { return Ends{cellOf(p).before, cellOf(p).before}; }));
-    areWithin = graph.land(areWithin, {bound.holds(graph, [&](const Place& p) {
+  for (std::size_t i = 0; i < count(); ++i) {
+    facts.push_back(holds(graph, i, [&](const Place& p) { return Ends{cellOf(p).before, cellOf(p).before}; }));
+    areWithin = graph.land(areWithin, {holds(graph, i, [&](const Place& p) {
                              return Ends{cellOf(p).before, cellOf(p).now};
                            })});
   }
   for (const Run& run : runs) {
     std::map<Place, Node> left;
     for (const auto& [index, after] : run) left.emplace(cells[index].place, after);
-    for (const Bound& bound : bounds_) {
-      if (!left.contains(bound.place) && !(bound.isOfTwo() && left.contains(bound.other))) continue;
-      const Node after = bound.holds(graph, [&](const Place& p) {
+    for (std::size_t i = 0; i < count(); ++i) {
+      const std::set<Place> places = placesOf(i);
+      if (std::ranges::none_of(places, [&](const Place& place) { return left.contains(place); })) continue;
+      const Node after = holds(graph, i, [&](const Place& p) {
         const auto written = left.find(p);
         return Ends{cellOf(p).before, written == left.end() ? cellOf(p).now : written->second};
       });
@@ -407,14 +446,15 @@ std::vector<Node> RunBounds::facts(Graph& graph, const std::vector<Cell>& cells,
 }
 
 void RunBounds::forget(const Place& place) {
-  std::vector<Cell> written;
-  for (const auto& [known, group] : groupOf_) {
-    if (known != place) written.push_back({known, noNode, noNode});
-  }
+  written_.erase(place);
   std::erase_if(bounds_, [&](const Bound& bound) { return bound.isAbout(place); });
-  groupOf_.clear();
-  groups_.clear();
-  group(written);
+  std::erase_if(kept_, [&](const StateRules& rules) {
+    return std::ranges::any_of(rules, [&](const StateRule& rule) {
+      const std::vector<Place> places = rule.places();
+      return std::ranges::find(places, place) != places.end();
+    });
+  });
+  group();
 }
 
 }  // namespace rungproof

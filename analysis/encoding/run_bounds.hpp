@@ -1,13 +1,16 @@
 // What any number of runs of some routines, in any order, keep of the cells that they write: bounds of one cell ("never
 // falls", "at most what it was or 1000", "one of these numbers") and of two ("their sum", "not above the other").
 // They are proposed, tried on random states, and proved by Z3 all together: those that stay hold after any number of
-// runs, because they hold after none. What no bound holds may become anything. Covered by tests/environment.
+// runs, because they hold after none. Rules of the state itself (kept_states.hpp) stand beside them: where all of a set
+// held before, all hold after. What neither tells of may become anything. Covered by tests/environment.
 #pragma once
 
 #include <functional>
 #include <map>
+#include <set>
 #include <vector>
 
+#include "analysis/encoding/state_rule.hpp"
 #include "analysis/encoding/symbolic_store.hpp"
 #include "analysis/graph/graph.hpp"
 
@@ -31,8 +34,18 @@ class RunBounds {
   using EndsOf = std::function<Ends(const Place&)>;
 
   void find(Graph& graph, const std::vector<Cell>& cells, const std::vector<Run>& runs);
-  /// Whether the place may change as `ends` says, together with those that are bound to it.
-  Graph::Bool mayChange(Graph& graph, const Place& place, const EndsOf& ends) const;
+  /// Takes sets of rules in that runs keep.
+  void add(std::vector<StateRules> kept);
+  /// How cells may change together.
+  struct Change {
+    EndsOf ends;
+    /// Whether a condition can be 1 here; where a rule of one cell cannot be broken before, it bounds what is left. May
+    /// be missing.
+    std::function<bool(Graph::Bool)> isPossible{};
+    std::map<std::size_t, Graph::Bool> known{};  ///< by group
+  };
+  /// Whether the place may change so, together with those that are bound to it.
+  Graph::Bool mayChange(Graph& graph, const Place& place, Change& change) const;
   /// The cells that bounds speak of.
   std::vector<Place> places() const;
   /// Facts about nodes of a graph, of `cells` as above: bounds hold where nothing runs, and one run from a state
@@ -73,11 +86,18 @@ class RunBounds {
     Node holdsForTwo(Graph& graph, Ends a, Ends b) const;
   };
   class Search;
-  void group(const std::vector<Cell>& cells);
+  void group();
+  std::size_t count() const { return bounds_.size() + kept_.size(); }
+  /// Of a bound, or behind these of a set of rules.
+  std::set<Place> placesOf(std::size_t number) const;
+  Node holds(Graph& graph, std::size_t number, const EndsOf& ends,
+             const std::function<bool(Graph::Bool)>& isPossible = {}) const;
 
+  std::set<Place> written_;
   std::vector<Bound> bounds_;
-  std::map<Place, std::size_t> groupOf_;          ///< of written cells that bounds connect
-  std::vector<std::vector<std::size_t>> groups_;  ///< numbers of the bounds of each group
+  std::vector<StateRules> kept_;
+  std::map<Place, std::size_t> groupOf_;          ///< of written cells that bounds and rules connect
+  std::vector<std::vector<std::size_t>> groups_;  ///< numbers of the bounds and sets of rules of each group
 };
 
 }  // namespace rungproof

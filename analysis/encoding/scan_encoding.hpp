@@ -228,6 +228,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   bool isClosed_ = false;
   std::optional<std::uint32_t> visit_;  ///< of the instruction at hand, once visitOf() was asked
   bool hasHavoc_ = false;
+  bool hasPointers_ = false;  ///< the program has some, and interrupts
   bool prunesLoops_ = false;
   LoopWidening widening_;
   VariableValues known_, later_;

@@ -59,6 +59,8 @@ struct ScanEncoding::Round {
   Graph::Bool mustGoOn{};          ///< more runs come than are followed
   Graph::Bool mayGoOn{};           ///< they may come whether or not anything has changed
   std::set<int> ran{};             ///< routines
+  /// Where one event alone can come: it did in the pass before. To come in the second only is to come in the first.
+  std::optional<Graph::Bool> cameBefore{};
 };
 
 Node ScanEncoding::state(std::string name, int width) {
@@ -85,6 +87,13 @@ void ScanEncoding::leaveOutNesting() {
 
 void ScanEncoding::beginEvents() {
   if (attachments_.empty()) return;
+  for (const Flow& flow : plan_.flows) {
+    for (const FlowStep& step : flow.steps) {
+      hasPointers_ = hasPointers_ || std::ranges::any_of(step.instruction->operands, [](const Operand& o) {
+                       return o.kind == OperandKind::Indirect;
+                     });
+    }
+  }
   leaveOutNesting();
   std::set<int> detached;
   for (const Flow& flow : plan_.flows) {
@@ -333,8 +342,10 @@ void ScanEncoding::runEvent(Runner& runner, Round& round, int event) {
       waited = graph.land(waited, {siteInput(event, round.where.instruction, 1)});
     }
   }
-  const Graph::Bool comes = graph.land(graph.lnot(waited), graph.land(mayCome, occurs(round, event)));
+  Graph::Bool comes = graph.land(graph.lnot(waited), graph.land(mayCome, occurs(round, event)));
+  if (round.cameBefore) comes = graph.land(comes, *round.cameBefore);
   const Graph::Bool isNoticed = graph.lor(waited, comes);
+  if (round.events.size() == 1) round.cameBefore = isNoticed;
   if (graph.truth(here(isNoticed)) == false) return;
   eventSites.push_back({round.where, event, here(isNoticed).node, here(waited).node});
   if (waits != s.waiting.end())
@@ -495,12 +506,14 @@ void ScanEncoding::moreRuns(Runner& runner, Round& round) {
   for (const auto& [place, before] : places)
     ends.emplace(place, RunBounds::Ends{before, anyOf("after more " + nameOf(place), place.width)});
   std::vector<Graph::Bool> changing;
+  RunBounds::Change change{[&](const Place& other) {
+    const auto found = ends.find(other);
+    const Node stays = found == ends.end() ? store_.value(other) : noNode;
+    return found == ends.end() ? RunBounds::Ends{stays, stays} : found->second;
+  }};
+  if (hasPointers_) change.isPossible = [&](Graph::Bool condition) { return isPossible(here(condition)); };
   for (const auto& [place, before] : places) {
-    const Graph::Bool isWithin = effects_->bounds().mayChange(graph, place, [&](const Place& other) {
-      const auto found = ends.find(other);
-      const Node stays = found == ends.end() ? store_.value(other) : noNode;
-      return found == ends.end() ? RunBounds::Ends{stays, stays} : found->second;
-    });
+    const Graph::Bool isWithin = effects_->bounds().mayChange(graph, place, change);
     changing.push_back(ofDevices.contains(place) ? more : graph.land(more, isWithin));
   }
   auto changes = changing.begin();

@@ -5,14 +5,6 @@
 
 namespace rungproof {
 
-std::uint64_t valueAt(const Place& place, const Concrete::Store& state) {
-  if (place.isRegister) return state.get(place.reg, place.at);
-  std::uint64_t value = 0;
-  for (std::uint32_t i = 0; i < place.width; ++i)
-    value = value << 1 | state.load(place.area, (place.at + i) / 8 * 8 + 7 - (place.at + i) % 8, 1);
-  return value;
-}
-
 /// What a script depends on.
 std::vector<Node> ScanRun::scriptNodes(const EncodedScan& scan) {
   std::vector<Node> nodes;

@@ -7,13 +7,11 @@
 
 #include "analysis/encoding/encoder.hpp"
 #include "analysis/encoding/scan_inputs.hpp"
+#include "analysis/encoding/seen_states.hpp"
 #include "analysis/graph/evaluate.hpp"
 #include "engine/replay.hpp"
 
 namespace rungproof {
-
-/// The value at a place in a state of the engine, as the encoding has it: memory with its first byte highest.
-std::uint64_t valueAt(const Place& place, const Concrete::Store& state);
 
 class ScanRun {
  public:
