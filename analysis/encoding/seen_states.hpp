@@ -8,7 +8,7 @@
 
 #include "analysis/encoding/symbolic_store.hpp"
 #include "engine/concrete.hpp"
-#include "ir/s7200/plan.hpp"
+#include "ir/machine/plan.hpp"
 
 namespace rungproof {
 

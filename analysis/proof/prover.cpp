@@ -409,16 +409,6 @@ class Session {
 
 }  // namespace
 
-EncoderOptions encoderOptionsOf(const ProverOptions& options, bool relaxed) {
-  EncoderOptions result;
-  result.followsContracts = true;
-  result.choices = options.choices;
-  result.retentive = options.retentive;
-  result.time = options.time;
-  result.time.relaxed = relaxed;
-  return result;
-}
-
 namespace {
 
 /// Results of both in the order in which the set declares its goals, then those of built-in checks.
