@@ -125,7 +125,7 @@ void checkIec020(const Facts& facts, FindingSink& sink) {
 extern constexpr Rule iec020_loop_may_not_end = {
     .id = "IEC020",
     .title = "Loop that does not end",
-    .severity = Severity::Error,
+    .severity = Severity::Warning,
     .needs = Needs::Flow,
     .detects =
         "a WHILE or REPEAT without EXIT and RETURN whose condition reads nothing that its body writes; a FOR whose "

@@ -407,10 +407,6 @@ class Session {
   std::set<const Approximation*> noted_;                  ///< what some result rests on
 };
 
-}  // namespace
-
-namespace {
-
 /// Results of both in the order in which the set declares its goals, then those of built-in checks.
 ProofRun merged(const PropertySet& set, ProofRun plain, ProofRun inside) {
   std::vector<ProofResult> results;
@@ -530,10 +526,6 @@ std::vector<std::string> reasonsForAll(const Program& program, const PropertySet
   }
   return reasons;
 }
-
-}  // namespace
-
-namespace {
 
 ProofRun proveAll(const Program& program, const PropertySet& set, const ProverOptions& options,
                   const ProofProgress& progress) {
