@@ -79,8 +79,8 @@ std::shared_ptr<const SaidOfMemory> SaidOfMemory::of(const Expr& said, const Mem
 bool SaidOfMemory::add(const Operand& operand, int width, const MemoryLayout& layout) {
   const Area area = operand.area;
   if (operand.kind != OperandKind::Direct) return false;
-  if (area != Area::V && area != Area::M && area != Area::Q && area != Area::S && area != Area::SM && area != Area::DB)
-    return false;
+  // Not data blocks: an address in them is that of its block, and the layout counts them in one row.
+  if (area != Area::V && area != Area::M && area != Area::Q && area != Area::S && area != Area::SM) return false;
   const std::uint32_t count = (static_cast<std::uint32_t>(width) + 7) / 8;
   if (!layout.holds(area, operand.offset, count)) return false;
   Read& read = reads_.emplace_back(Read{operand, width, {}});
@@ -96,7 +96,6 @@ bool SaidOfMemory::add(const Operand& operand, int width, const MemoryLayout& la
       continue;
     }
     const MemoryLayout::Word word = layout.wordOf(area, byte);
-    if (area == Area::DB) return false;  // words of data blocks are counted in the row of all blocks
     const Place cell{false, area, Reg::Accumulator, word.first * 8, static_cast<std::uint8_t>(word.bytes * 8)};
     const std::uint32_t low = (word.first + word.bytes - 1 - byte) * 8;
     take(cell, width == 1 ? low + operand.bit : low, static_cast<std::uint8_t>(width == 1 ? 1 : 8));
