@@ -1,7 +1,6 @@
 // IEC011: a label of a CASE that stands in it twice. Tested by its examples and tests/rules/iec_rules_test.cpp.
 #include <fmt/format.h>
 
-#include <charconv>
 #include <optional>
 #include <vector>
 
@@ -13,29 +12,12 @@ namespace rungproof {
 
 namespace {
 
-/// A whole number as it is written: 5, -5, 1_000, 16#FF is left to the equality of texts.
-std::optional<std::int64_t> plainNumber(const iec::Expr& expr) {
-  if (expr.kind == iec::ExprKind::Unary && expr.text == "-" && expr.operands.size() == 1) {
-    const std::optional<std::int64_t> positive = plainNumber(*expr.operands[0]);
-    return positive ? std::optional(-*positive) : std::nullopt;
-  }
-  if (expr.kind != iec::ExprKind::Literal || !expr.prefix.empty()) return std::nullopt;
-  std::string digits;
-  for (const char c : expr.text) {
-    if (c != '_') digits += c;
-  }
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
-  return value;
-}
-
 /// Whether the first label takes what the second one names.
 bool takes(const iec::CaseLabel& first, const iec::CaseLabel& second) {
   if (first.low == nullptr || second.low == nullptr) return false;
   if (first.high == nullptr && second.high == nullptr && iec::isSame(*first.low, *second.low)) return true;
-  const auto low = plainNumber(*first.low), high = first.high != nullptr ? plainNumber(*first.high) : low;
-  const auto from = plainNumber(*second.low), to = second.high != nullptr ? plainNumber(*second.high) : from;
+  const auto low = iec::plainNumber(*first.low), high = first.high != nullptr ? iec::plainNumber(*first.high) : low;
+  const auto from = iec::plainNumber(*second.low), to = second.high != nullptr ? iec::plainNumber(*second.high) : from;
   return low && high && from && to && *low <= *to && *from <= *high;
 }
 

@@ -1,7 +1,6 @@
 // IEC020: a loop that nothing in its body can end. Tested by its examples and tests/rules/iec_rules_test.cpp.
 #include <fmt/format.h>
 
-#include <charconv>
 #include <map>
 #include <optional>
 #include <set>
@@ -74,23 +73,26 @@ std::optional<bool> conditionTruthOf(const iec::Expr& expr) {
                                           : std::nullopt;
 }
 
-std::optional<std::int64_t> loopNumberOf(const iec::Expr* expr) {
-  if (expr == nullptr || expr->kind != iec::ExprKind::Literal || !expr->prefix.empty()) return std::nullopt;
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(expr->text.data(), expr->text.data() + expr->text.size(), value);
-  return error == std::errc() && end == expr->text.data() + expr->text.size() ? std::optional(value) : std::nullopt;
-}
+struct CounterEnds {
+  std::int64_t least, greatest;
+};
 
+/// Why a FOR does not end: its counter wraps before it gets past the limit. Empty: it ends, or that is not known.
 std::string reasonOfFor(const iec::VariableUses& uses, const iec::BlockSyntax& block, const iec::Statement& loop) {
-  static const std::map<std::string, std::int64_t> greatest = {
-      {"SINT", 127},   {"USINT", 255},       {"BYTE", 255},        {"INT", 32767},
-      {"UINT", 65535}, {"DINT", 2147483647}, {"UDINT", 4294967295}};
-  const auto step = loop.by == nullptr ? std::optional<std::int64_t>(1) : loopNumberOf(loop.by.get());
+  static const std::map<std::string, CounterEnds> ends = {
+      {"SINT", {-128, 127}},     {"USINT", {0, 255}},  {"BYTE", {0, 255}},
+      {"INT", {-32768, 32767}},  {"UINT", {0, 65535}}, {"DINT", {-2147483648LL, 2147483647}},
+      {"UDINT", {0, 4294967295}}};
+  const auto step = loop.by == nullptr ? std::optional<std::int64_t>(1) : iec::plainNumber(*loop.by);
   if (step == 0) return "its step is 0";
-  const auto limit = greatest.find(uses.elementaryTypeOf(block, *loop.target));
-  const auto last = loopNumberOf(loop.last.get());
-  const bool wraps = step && *step > 0 && last && limit != greatest.end() && *last >= limit->second;
-  return wraps ? fmt::format("{} never gets above {}", loop.target->parts[0].name, limit->second) : std::string();
+  const auto counter = ends.find(uses.elementaryTypeOf(block, *loop.target));
+  const auto last = loop.last == nullptr ? std::nullopt : iec::plainNumber(*loop.last);
+  if (!step || !last || counter == ends.end()) return {};
+  const auto [least, greatest] = counter->second;
+  const std::string& name = loop.target->parts[0].name;
+  if (*step > 0 && *last >= greatest) return fmt::format("{} never gets above {}", name, greatest);
+  if (*step < 0 && *last <= least) return fmt::format("{} never gets below {}", name, least);
+  return {};
 }
 
 void checkIec020(const Facts& facts, FindingSink& sink) {
@@ -130,7 +132,7 @@ extern constexpr Rule iec020_loop_may_not_end = {
     .detects =
         "a WHILE or REPEAT without EXIT and RETURN whose condition reads nothing that its body writes; a FOR whose "
         "step "
-        "is 0, or whose limit is the greatest number of its counter",
+        "is 0, or whose limit is the last number that its counter has",
     .why =
         "no input changes within a scan and no time passes: the scan does not end, and the watchdog stops the "
         "controller",

@@ -13,6 +13,7 @@
 #include "frontend/iec/iec_parser.hpp"
 #include "frontend/iec/iec_tree.hpp"
 #include "frontend/stl/stl_lexer.hpp"
+#include "ir/iec/statement_text.hpp"
 
 namespace rungproof::iec {
 
@@ -122,8 +123,19 @@ class ChartWriter {
       if (s.kind != StatementKind::Line && transition.result.empty()) continue;
       text += (text.empty() ? "" : "; ") + written(s.span);
     }
-    const bool isDrawn = !transition.body.empty() && transition.body[0].kind != StatementKind::Line;
-    return text.empty() ? "(not read)" : isDrawn && text.starts_with("<") ? "(drawn)" : text;
+    if (text.empty()) return "(not read)";
+    const bool isDrawn = transition.body[0].kind != StatementKind::Line && text.starts_with("<");
+    return isDrawn ? drawnText(transition.body) : text;
+  }
+  /// What a drawing says of a transition, as structured text.
+  static std::string drawnText(const Statements& body) {
+    const Statement& last = body.back();
+    if (body.size() == 1 && last.kind == StatementKind::Assign) return expressionText(*last.value);
+    std::string text;
+    for (const Statement& one : body) {
+      for (const std::string& line : statementLines(one)) text += (text.empty() ? "" : " ") + line;
+    }
+    return text;
   }
 
   void error(Syntax code, Span span, std::string message) {

@@ -116,7 +116,7 @@ std::vector<std::string> statementLines(const Program& program, const Network& n
 
 /// The text of a statement of IEC 61131-3, as far to the left as it can stand; of a drawing what it says as such text.
 std::vector<std::string> sourceLines(const Program& program, const Network& network) {
-  if (network.drawing != nullptr) return iec::linesOfCircuit(*program.syntax, network.span);
+  if (network.drawing != nullptr) return iec::circuitLines(*program.syntax, network.span);
   std::vector<std::string> lines;
   std::string_view text = program.sources->text(network.span);
   while (!text.empty()) {

@@ -38,7 +38,7 @@ int rankOf(const Expr& expr) {
 }
 
 std::string inner(const Expr& expr, int least) {
-  const std::string text = textOf(expr);
+  const std::string text = expressionText(expr);
   return rankOf(expr) < least ? "(" + text + ")" : text;
 }
 
@@ -49,7 +49,7 @@ std::string pathText(const std::vector<PathPart>& parts) {
       case PathPart::Kind::Name: text += (text.empty() ? "" : ".") + part.name; break;
       case PathPart::Kind::Index: {
         std::string indices;
-        for (const ExprPtr& index : part.indices) indices += (indices.empty() ? "" : ", ") + textOf(*index);
+        for (const ExprPtr& index : part.indices) indices += (indices.empty() ? "" : ", ") + expressionText(*index);
         text += "[" + indices + "]";
         break;
       }
@@ -65,20 +65,20 @@ std::string argumentsText(const std::vector<Argument>& arguments) {
     if (!text.empty()) text += ", ";
     if (!argument.name.empty())
       text += fmt::format("{}{} {} ", argument.isNegated ? "NOT " : "", argument.name, argument.isOutput ? "=>" : ":=");
-    if (argument.value != nullptr) text += textOf(*argument.value);
+    if (argument.value != nullptr) text += expressionText(*argument.value);
   }
   return text;
 }
 
 void addBody(const Statements& body, std::vector<std::string>& lines) {
   for (const Statement& one : body) {
-    for (std::string& line : linesOf(one)) lines.push_back("  " + std::move(line));
+    for (std::string& line : statementLines(one)) lines.push_back("  " + std::move(line));
   }
 }
 
 }  // namespace
 
-std::string textOf(const Expr& expr) {
+std::string expressionText(const Expr& expr) {
   switch (expr.kind) {
     case ExprKind::Literal: return (expr.prefix.empty() ? "" : expr.prefix + "#") + expr.text;
     case ExprKind::Text: return expr.text;
@@ -94,22 +94,22 @@ std::string textOf(const Expr& expr) {
   return {};
 }
 
-std::vector<std::string> linesOf(const Statement& statement) {
+std::vector<std::string> statementLines(const Statement& statement) {
   std::vector<std::string> lines;
   switch (statement.kind) {
     case StatementKind::Assign:
-      lines.push_back(textOf(*statement.target) + " := " + textOf(*statement.value) + ";");
+      lines.push_back(expressionText(*statement.target) + " := " + expressionText(*statement.value) + ";");
       break;
-    case StatementKind::Call: lines.push_back(textOf(*statement.target) + ";"); break;
+    case StatementKind::Call: lines.push_back(expressionText(*statement.target) + ";"); break;
     case StatementKind::Return: lines.emplace_back("RETURN;"); break;
-    case StatementKind::Label: lines.push_back(textOf(*statement.target) + ":"); break;
+    case StatementKind::Label: lines.push_back(expressionText(*statement.target) + ":"); break;
     case StatementKind::Jump:
-      lines.push_back((statement.value == nullptr ? "" : "IF " + textOf(*statement.value) + " THEN ") + "JMP " +
-                      textOf(*statement.target) + ";" + (statement.value == nullptr ? "" : " END_IF;"));
+      lines.push_back((statement.value == nullptr ? "" : "IF " + expressionText(*statement.value) + " THEN ") + "JMP " +
+                      expressionText(*statement.target) + ";" + (statement.value == nullptr ? "" : " END_IF;"));
       break;
     case StatementKind::If:
       for (const Branch& branch : statement.branches) {
-        lines.push_back(fmt::format("{} {} THEN", lines.empty() ? "IF" : "ELSIF", textOf(*branch.condition)));
+        lines.push_back(fmt::format("{} {} THEN", lines.empty() ? "IF" : "ELSIF", expressionText(*branch.condition)));
         addBody(branch.body, lines);
       }
       if (statement.hasElse) lines.emplace_back("ELSE");
@@ -121,14 +121,14 @@ std::vector<std::string> linesOf(const Statement& statement) {
   return lines;
 }
 
-std::vector<std::string> linesOfCircuit(const ProjectSyntax& project, Span place) {
+std::vector<std::string> circuitLines(const ProjectSyntax& project, Span place) {
   for (const BlockSyntax& block : project.blocks) {
     for (std::size_t i = 0; i < block.body.size(); ++i) {
       const Statement& first = block.body[i];
       if (first.drawn == nullptr || !(first.drawn->span == place)) continue;
       std::vector<std::string> lines;
       for (std::size_t k = i; k < block.body.size() && block.body[k].circuit == first.circuit; ++k) {
-        for (std::string& line : linesOf(block.body[k])) lines.push_back(std::move(line));
+        for (std::string& line : statementLines(block.body[k])) lines.push_back(std::move(line));
       }
       return lines;
     }

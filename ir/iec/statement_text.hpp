@@ -10,10 +10,10 @@
 namespace rungproof::iec {
 
 /// With the parentheses that its reading needs.
-std::string textOf(const Expr& expr);
+std::string expressionText(const Expr& expr);
 /// One line for each row of text, two columns further in for each level.
-std::vector<std::string> linesOf(const Statement& statement);
+std::vector<std::string> statementLines(const Statement& statement);
 /// The statements of the circuit that was drawn at that place; empty: there is none.
-std::vector<std::string> linesOfCircuit(const ProjectSyntax& project, Span place);
+std::vector<std::string> circuitLines(const ProjectSyntax& project, Span place);
 
 }  // namespace rungproof::iec

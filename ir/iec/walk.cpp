@@ -2,6 +2,7 @@
 #include "ir/iec/walk.hpp"
 
 #include <algorithm>
+#include <charconv>
 
 namespace rungproof::iec {
 
@@ -113,6 +114,22 @@ void eachOwnExpression(const ProjectSyntax& project,
   eachOwnStatement(project, [&](const BlockSyntax& block, const Statement& one, const Statements&, std::size_t) {
     eachExpression(one, [&](const Expr& expr) { visit(block, expr); });
   });
+}
+
+std::optional<std::int64_t> plainNumber(const Expr& expr) {
+  if (expr.kind == ExprKind::Unary && expr.text == "-" && expr.operands.size() == 1) {
+    const std::optional<std::int64_t> positive = plainNumber(*expr.operands[0]);
+    return positive ? std::optional(-*positive) : std::nullopt;
+  }
+  if (expr.kind != ExprKind::Literal || !expr.prefix.empty()) return std::nullopt;
+  std::string digits;
+  for (const char c : expr.text) {
+    if (c != '_') digits += c;
+  }
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
+  return value;
 }
 
 }  // namespace rungproof::iec

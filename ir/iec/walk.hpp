@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "ir/iec/syntax.hpp"
 
@@ -27,6 +28,8 @@ void eachExpression(const Statement& statement, const std::function<void(const E
 void eachPart(const Expr& expr, const std::function<void(const Expr&)>& visit);
 /// Whether two expressions are written alike, spaces and case apart.
 bool isSame(const Expr& a, const Expr& b);
+/// A whole number as it is written: 5, -5, 1_000; nothing for 16#FF, typed numbers and everything else.
+std::optional<std::int64_t> plainNumber(const Expr& expr);
 /// Calls visit(block) for every block of the project's own that was read whole; visit(block, statement, list, index)
 /// for every statement in it, and visit(block, expression) for every expression, without what was made of a chart.
 void eachOwnBlock(const ProjectSyntax& project, const std::function<void(const BlockSyntax&)>& visit);
