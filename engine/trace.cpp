@@ -216,8 +216,8 @@ TraceSignal signalOf(const Program& program, const Operand& operand) {
 std::vector<TraceSignal> touchedSignals(const Program& program) {
   Operands operands;
   std::set<Cell> seen;
-  if (dialectOf(program.target)
-          .memory.isOfVariables) {  // the variables in the order of their declaration, by their first names
+  const bool isOfVariables = dialectOf(program.target).memory.isOfVariables;
+  if (isOfVariables) {  // in the order of their declaration, by their first names
     std::vector<TraceSignal> variables;
     for (const Symbol& symbol : program.symbols) {
       if (seen.insert(cellOf(symbol.address)).second) variables.push_back(signalOf(program, symbol.address, &symbol));

@@ -60,19 +60,24 @@ NamesUsed namesUsed(const DrawnCircuit& circuit, int result) {
 bool ordersDiffer(const DrawnCircuit& circuit, const std::vector<int>& order, const std::vector<int>& other) {
   std::map<int, std::size_t> place;
   for (std::size_t k = 0; k < other.size(); ++k) place[other[k]] = k;
-  std::vector<NamesUsed> used;
-  for (const int i : order) used.push_back(namesUsed(circuit, i));
-  const auto meet = [](const std::set<std::string>& a, const std::set<std::string>& b) {
-    return std::ranges::any_of(a, [&](const std::string& name) { return b.contains(name); });
+  struct Users {
+    std::vector<std::size_t> writers, all;  ///< by place in `order`
   };
+  std::map<std::string, Users> users;
   for (std::size_t k = 0; k < order.size(); ++k) {
-    for (std::size_t later = k + 1; later < order.size(); ++later) {
-      if (place[order[k]] < place[order[later]]) continue;
-      const NamesUsed &a = used[k], &b = used[later];
-      if (meet(a.written, b.read) || meet(a.written, b.written) || meet(a.read, b.written)) return true;
-    }
+    const NamesUsed used = namesUsed(circuit, order[k]);
+    for (const std::string& name : used.written) users[name].writers.push_back(k);
+    for (const std::string& name : used.written) users[name].all.push_back(k);
+    for (const std::string& name : used.read) users[name].all.push_back(k);
   }
-  return false;
+  return std::ranges::any_of(users, [&](const auto& row) {
+    const Users& of = row.second;
+    return std::ranges::any_of(of.writers, [&](std::size_t writer) {
+      return std::ranges::any_of(of.all, [&](std::size_t one) {
+        return (writer < one) != (place[order[writer]] < place[order[one]]) && writer != one;
+      });
+    });
+  });
 }
 
 }  // namespace rungproof::iec
