@@ -25,7 +25,8 @@ struct Workspace {
 
 /// Bytes of the workspace.
 struct Layout {
-  std::size_t slots = 0;  ///< the bits of Code::slots
+  std::size_t singles = 0;  ///< the lowest bits of those of Code::slots of which no other bit is used
+  std::size_t slots = 0;    ///< the bits of the others
   std::size_t states = 0;
   std::size_t errors = 0;    ///< by error site 4 bytes: how often it has happened, 0 before the program
   std::size_t happened = 0;  ///< 4 bytes for the number of an error site each

@@ -37,14 +37,16 @@ std::int32_t originFor(std::vector<std::uint64_t> bytes) {
 
 }  // namespace
 
-Layout X86Emitter::layoutOf(const Code& code) {
+Layout X86Emitter::layoutOf() const {
+  const auto singles = static_cast<std::size_t>(std::ranges::count(slotPlaces_, true, &SlotPlace::isSingle));
   Layout layout;
-  layout.slots = alignedTo8(sizeof(Workspace));
-  layout.states = layout.slots + 8 * code.slots.size();
-  layout.errors = layout.states + 8 * std::size_t{code.states};
-  layout.happened = layout.errors + 4 * code.sites.size();
-  layout.news = layout.happened + 4 * code.sites.size();
-  layout.size = alignedTo8(layout.news + code.sites.size());
+  layout.singles = alignedTo8(sizeof(Workspace));
+  layout.slots = alignedTo8(layout.singles + singles);
+  layout.states = layout.slots + 8 * (slotPlaces_.size() - singles);
+  layout.errors = layout.states + 8 * std::size_t{code_.states};
+  layout.happened = layout.errors + 4 * code_.sites.size();
+  layout.news = layout.happened + 4 * code_.sites.size();
+  layout.size = alignedTo8(layout.news + code_.sites.size());
   return layout;
 }
 
@@ -80,12 +82,13 @@ std::array<X86Emitter::HeldArea, 2> X86Emitter::busiestAreas(const Code& code, c
 X86Emitter::X86Emitter(const Code& code, const std::vector<bool>& isNeeded, CodeHolder& holder)
     : code_(code),
       isNeeded_(isNeeded),
-      layout_(layoutOf(code)),
+      slotPlaces_(placesOfSlots(code)),
+      layout_(layoutOf()),
       heldAreas_(busiestAreas(code, isNeeded)),
       hasMovbe_(CpuInfo::host().features().x86().hasMOVBE()),
       emittedAt_(emittedAt()),
       a_(&holder),
-      workspace_{x86::rbp, static_cast<std::int32_t>(layout_.slots + shortUp)},
+      workspace_{x86::rbp, static_cast<std::int32_t>(layout_.singles + shortUp)},
       values_(a_, workspace_, valueRegisters(code), static_cast<std::int32_t>(layout_.size), code, isNeeded,
               emittedAt_) {}
 

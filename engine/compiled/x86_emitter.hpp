@@ -30,7 +30,7 @@ class X86Emitter {
   };
 
   // x86_emitter.cpp
-  static Layout layoutOf(const Code& code);
+  Layout layoutOf() const;
   static std::vector<Gp> valueRegisters(const Code& code);
   static std::array<HeldArea, 2> busiestAreas(const Code& code, const std::vector<bool>& isNeeded);
   void findStores();
@@ -41,7 +41,11 @@ class X86Emitter {
   void storeWord(const Step& step);
   void control(const Step& step);
   Mem memory(Area area, std::uint64_t byte, std::uint32_t size);
-  std::int32_t slotAt(std::uint64_t number) const { return static_cast<std::int32_t>(layout_.slots + number); }
+  std::int32_t slotAt(std::uint64_t number) const {
+    const SlotPlace& place = slotPlaces_[number / 8];
+    return static_cast<std::int32_t>(place.isSingle ? layout_.singles + place.index
+                                                    : layout_.slots + 8 * place.index + number % 8);
+  }
   std::int32_t stateAt(std::uint64_t number) const { return static_cast<std::int32_t>(layout_.states + 8 * number); }
   Mem at(std::size_t offset, std::uint32_t size = 8) { return workspace_.at(offset, size); }
   Mem registerAt(std::uint64_t index) {
@@ -51,6 +55,20 @@ class X86Emitter {
   asmjit::Label& label(std::uint64_t mark);
 
   // x86_slots.cpp
+  /// Where the bits of one of Code::slots stand: a byte alone, or eight.
+  struct SlotPlace {
+    bool isSingle = false;
+    std::size_t index = 0;  ///< among those of its kind
+  };
+  /// Bytes of one area that follow each other, in memory and among the singles.
+  struct SingleRun {
+    std::size_t first = 0, count = 0;  ///< indexes into Code::slots
+  };
+  static std::vector<SlotPlace> placesOfSlots(const Code& code);
+  std::vector<SingleRun> singleRuns() const;
+  void holdArea(Area area);
+  void loadSingles();
+  void saveSingles(const std::vector<bool>& isWritten);
   void loadSlots();
   void saveSlots();
   void storeSlots(const Step& step);
@@ -108,6 +126,7 @@ class X86Emitter {
 
   const Code& code_;
   const std::vector<bool>& isNeeded_;
+  const std::vector<SlotPlace> slotPlaces_;  ///< by index into Code::slots
   const Layout layout_;
   const std::array<HeldArea, 2> heldAreas_;
   const bool hasMovbe_;

@@ -1,5 +1,6 @@
 // Bits of memory that have bytes of their own while the machine code runs: out of their bytes before the program, and
 // back behind it.
+#include <algorithm>
 #include <cstddef>
 
 #include "engine/compiled/x86_emitter.hpp"
@@ -21,16 +22,121 @@ constexpr auto spreadBytes = [] {
 
 }  // namespace
 
+/// Bits that have a byte of memory to themselves, as variables of IEC 61131-3 do, stand alone: sixteen of them are
+/// moved at once. Nothing reads or writes their bytes as a whole.
+std::vector<X86Emitter::SlotPlace> X86Emitter::placesOfSlots(const Code& code) {
+  std::vector<SlotPlace> places(code.slots.size(), {.isSingle = true});
+  for (const Step& s : code.steps) {
+    const bool isBit = s.op == CodeOp::LoadBit || s.op == CodeOp::StoreBit;
+    const bool isByte = s.op == CodeOp::LoadSlots || s.op == CodeOp::StoreSlots;
+    if (isByte || (isBit && s.value % 8 != 0)) places[s.value / 8].isSingle = false;
+  }
+  std::size_t singles = 0, others = 0;
+  for (SlotPlace& place : places) place.index = place.isSingle ? singles++ : others++;
+  return places;
+}
+
+std::vector<X86Emitter::SingleRun> X86Emitter::singleRuns() const {
+  std::vector<SingleRun> runs;
+  for (std::size_t i = 0; i < slotPlaces_.size(); ++i) {
+    if (!slotPlaces_[i].isSingle) continue;
+    const bool goesOn = i > 0 && slotPlaces_[i - 1].isSingle && !runs.empty() &&
+                        code_.slots[i].area == code_.slots[i - 1].area &&
+                        code_.slots[i].byte == code_.slots[i - 1].byte + 1;
+    if (!goesOn) runs.push_back({i, 0});
+    ++runs.back().count;
+  }
+  return runs;
+}
+
+/// Its address in rcx.
+void X86Emitter::holdArea(Area area) {
+  a_.mov(x86::rcx, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(area)));
+}
+
+namespace {
+constexpr std::size_t together = 16;
+constexpr std::uint64_t lowestBits = 0x0101010101010101;
+}  // namespace
+
+/// 0 or 255 for the lowest bit of each byte. The last sixteen of a run may overlap those before.
+void X86Emitter::loadSingles() {
+  a_.mov(x86::rax, lowestBits);
+  a_.movq(x86::xmm3, x86::rax);
+  a_.punpcklqdq(x86::xmm3, x86::xmm3);
+  for (const SingleRun& run : singleRuns()) {
+    holdArea(code_.slots[run.first].area);
+    for (std::size_t i = 0; i < run.count;) {
+      const bool isWide = run.count >= together;
+      const std::size_t first = run.first + (isWide ? std::min(i, run.count - together) : i);
+      const auto byte = static_cast<std::int32_t>(code_.slots[first].byte);
+      const auto place = static_cast<std::size_t>(slotAt(8 * first));
+      if (isWide) {
+        a_.movdqu(x86::xmm0, x86::xmmword_ptr(x86::rcx, byte));
+        a_.pand(x86::xmm0, x86::xmm3);
+        a_.pxor(x86::xmm1, x86::xmm1);
+        a_.psubb(x86::xmm1, x86::xmm0);
+        a_.movdqu(at(place, 16), x86::xmm1);
+      } else {
+        a_.movzx(x86::eax, x86::byte_ptr(x86::rcx, byte));
+        a_.and_(x86::eax, 1);
+        a_.neg(x86::eax);
+        a_.mov(at(place, 1), x86::al);
+      }
+      i += isWide ? together : 1;
+    }
+  }
+}
+
+/// The other bits of their bytes stay as they are.
+void X86Emitter::saveSingles(const std::vector<bool>& isWritten) {
+  a_.mov(x86::rax, lowestBits);
+  a_.movq(x86::xmm3, x86::rax);
+  a_.punpcklqdq(x86::xmm3, x86::xmm3);
+  for (const SingleRun& run : singleRuns()) {
+    holdArea(code_.slots[run.first].area);
+    for (std::size_t i = 0; i < run.count;) {
+      const bool isWide = run.count >= together;
+      const std::size_t step = isWide ? together : 1;
+      const std::size_t first = run.first + (isWide ? std::min(i, run.count - together) : i);
+      const auto begin = isWritten.begin() + static_cast<std::ptrdiff_t>(first);
+      i += step;
+      if (std::find(begin, begin + static_cast<std::ptrdiff_t>(step), true) ==
+          begin + static_cast<std::ptrdiff_t>(step))
+        continue;
+      const auto byte = static_cast<std::int32_t>(code_.slots[first].byte);
+      const auto place = static_cast<std::size_t>(slotAt(8 * first));
+      if (isWide) {
+        a_.movdqu(x86::xmm0, at(place, 16));
+        a_.pand(x86::xmm0, x86::xmm3);
+        a_.movdqu(x86::xmm1, x86::xmmword_ptr(x86::rcx, byte));
+        a_.movdqa(x86::xmm2, x86::xmm3);
+        a_.pandn(x86::xmm2, x86::xmm1);
+        a_.por(x86::xmm0, x86::xmm2);
+        a_.movdqu(x86::xmmword_ptr(x86::rcx, byte), x86::xmm0);
+      } else {
+        a_.movzx(x86::eax, at(place, 1));
+        a_.and_(x86::eax, 1);
+        a_.movzx(x86::edx, x86::byte_ptr(x86::rcx, byte));
+        a_.and_(x86::edx, 0xFE);
+        a_.or_(x86::eax, x86::edx);
+        a_.mov(x86::byte_ptr(x86::rcx, byte), x86::al);
+      }
+    }
+  }
+}
+
 void X86Emitter::loadSlots() {
+  loadSingles();
   a_.mov(x86::rdx, imm(spreadBytes.data()));
   std::optional<Area> area;
   for (std::size_t i = 0; i < code_.slots.size(); ++i) {
     const SlotByte& slot = code_.slots[i];
-    if (std::exchange(area, slot.area) != slot.area)
-      a_.mov(x86::rcx, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(slot.area)));
+    if (slotPlaces_[i].isSingle) continue;
+    if (std::exchange(area, slot.area) != slot.area) holdArea(slot.area);
     a_.movzx(x86::eax, x86::byte_ptr(x86::rcx, static_cast<std::int32_t>(slot.byte)));
     a_.mov(x86::rax, x86::ptr(x86::rdx, x86::rax, 3));
-    a_.mov(at(layout_.slots + 8 * i), x86::rax);
+    a_.mov(at(static_cast<std::size_t>(slotAt(8 * i))), x86::rax);
   }
 }
 
@@ -42,13 +148,13 @@ void X86Emitter::saveSlots() {
     const bool isStore = isNeeded_[i] && (s.op == CodeOp::StoreBit || s.op == CodeOp::StoreSlots);
     if (isStore && code_.slots[s.value / 8].area != Area::L) isWritten[s.value / 8] = true;
   }
+  saveSingles(isWritten);
   std::optional<Area> area;
   for (std::size_t i = 0; i < code_.slots.size(); ++i) {
-    if (!isWritten[i]) continue;
+    if (!isWritten[i] || slotPlaces_[i].isSingle) continue;
     const SlotByte& slot = code_.slots[i];
-    if (std::exchange(area, slot.area) != slot.area)
-      a_.mov(x86::rcx, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(slot.area)));
-    a_.movq(x86::xmm0, at(layout_.slots + 8 * i));
+    if (std::exchange(area, slot.area) != slot.area) holdArea(slot.area);
+    a_.movq(x86::xmm0, at(static_cast<std::size_t>(slotAt(8 * i))));
     a_.pmovmskb(x86::eax, x86::xmm0);
     a_.mov(x86::byte_ptr(x86::rcx, static_cast<std::int32_t>(slot.byte)), x86::al);
   }
