@@ -63,7 +63,8 @@ enum class Hazard : std::uint8_t {
   S7NotLoaded,
   IecDivideByZero,
   IecArrayRange,
-  IecEndless
+  IecEndless,
+  IecRange
 };
 
 /// How the CPU takes it: a status bit only, a logged non-fatal error with SM4.3, or STOP.
@@ -163,6 +164,7 @@ inline constexpr std::array hazardTable = {
     HazardInfo{Hazard::IecDivideByZero, "ERROR", HazardClass::Fatal, "division by zero", "IEC 61131-3"},
     HazardInfo{Hazard::IecArrayRange, "ERROR", HazardClass::Fatal, "index outside its array", "IEC 61131-3"},
     HazardInfo{Hazard::IecEndless, "ERROR", HazardClass::Fatal, "the scan does not end", "IEC 61131-3"},
+    HazardInfo{Hazard::IecRange, "ERROR", HazardClass::Fatal, "value outside its range", "IEC 61131-3"},
 };
 
 constexpr const HazardInfo& hazardInfo(Hazard hazard) { return hazardTable[static_cast<std::size_t>(hazard)]; }
@@ -172,7 +174,7 @@ constexpr bool hazardTableIsInOrder() {
   for (std::size_t i = 0; i < hazardTable.size(); ++i) {
     if (static_cast<std::size_t>(hazardTable[i].hazard) != i) return false;
   }
-  return hazardTable.size() == static_cast<std::size_t>(Hazard::IecEndless) + 1;
+  return hazardTable.size() == static_cast<std::size_t>(Hazard::IecRange) + 1;
 }
 static_assert(hazardTableIsInOrder(), "hazardTable must list the hazards in the order of the enumeration");
 }  // namespace detail

@@ -7,7 +7,8 @@ namespace rungproof {
 
 namespace {
 
-constexpr Hazard iec001Hazards[] = {Hazard::IecDivideByZero, Hazard::IecArrayRange, Hazard::IecEndless};
+constexpr Hazard iec001Hazards[] = {Hazard::IecDivideByZero, Hazard::IecArrayRange, Hazard::IecEndless,
+                                    Hazard::IecRange};
 
 }  // namespace
 
@@ -17,8 +18,8 @@ extern constexpr Rule iec001_run_time_error = {
     .severity = Severity::Error,
     .needs = Needs::Solver,
     .detects =
-        "a division of whole numbers whose divisor can be 0, an index that can lie outside its array, a loop that "
-        "may not end",
+        "a division of whole numbers whose divisor can be 0, an index that can lie outside its array, a value that can "
+        "lie outside its subrange, a loop that may not end",
     .why =
         "the standard calls it an error: some controllers stop, some go on with any value or with another variable's",
     .dialects = dialect::Iec,

@@ -239,6 +239,7 @@ void Lowering::callContract(Scope& scope, BlockInstance& instance, const Expr& c
       last().operands.push_back(rungproof::constant(type.bytes));
     }
     for (std::uint32_t i = 0; i < type.bytes; ++i) noteWritten(offset + i);
+    if (!shared_.empty()) writeThrough(offset);
   };
   for (const VariableSyntax& declared : instance.block->variables) {
     const auto variable = instance.names.find(foldedName(declared.name));

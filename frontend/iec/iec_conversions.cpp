@@ -144,11 +144,25 @@ void Lowering::convert(const Type& from, const Type& to, bool cuts, Span span) {
     if (!isLong) return emit("TO.REAL", {from.width == 32 && !from.isSigned ? 0 : 1});
     return emit("TO.LREAL", {to.width, from.isLong() && !from.isSigned ? 0 : 1});
   }
-  if (to.kind == Kind::Bool && from.kind != Kind::Bool) {
+  if (to.kind == Kind::Bool && from.kind != Kind::Bool) return toBool(from);
+  emit("RESIZE", {from.width, to.width, from.isSigned ? 1 : 0});
+}
+
+/// Of a bit string its lowest bit by one reading; of a number whether it is not 0.
+void Lowering::toBool(const Type& from) {
+  if (from.kind != Kind::BitString) {
     constant(0, from.width);
     return emit("NE", {from.width, 0});
   }
-  emit("RESIZE", {from.width, to.width, from.isSigned ? 1 : 0});
+  const std::uint32_t bits = allocate(from.bytes);
+  store(from, bits);
+  emit("READING", {static_cast<std::int64_t>(Choice::IecToBool), 1});
+  load(from, bits);
+  constant(0, from.width);
+  emit("NE", {from.width, 0});
+  load(from, bits);
+  emit("RESIZE", {from.width, 1, 0});
+  emit("SEL", {1});
 }
 
 /// Of a TIME: milliseconds or seconds, by the reading in force; of an LTIME nanoseconds.

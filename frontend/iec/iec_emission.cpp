@@ -24,16 +24,9 @@ void Lowering::emitPlace(std::string_view mnemonic, const Type& type, std::uint3
 void Lowering::load(const Type& type, std::uint32_t offset) { emitPlace("LOAD", type, offset); }
 
 void Lowering::store(const Type& type, std::uint32_t offset) {
-  if (shared_.contains(offset)) {  // its value rests on the reading
-    const std::uint32_t value = allocate(type.bytes);
-    emitPlace("STORE", type, value);
-    emit("READING", {static_cast<std::int64_t>(Choice::IecAddressUnit), 0});
-    constant(0, type.width);
-    load(type, value);
-    emit("SEL", {type.width});
-  }
   emitPlace("STORE", type, offset);
   for (std::uint32_t i = offset; i < offset + type.bytes && i < mostBytes; ++i) noteWritten(i);
+  if (!shared_.empty()) writeThrough(offset);
 }
 
 void Lowering::noteWritten(std::uint32_t byte) {
@@ -94,12 +87,7 @@ void Lowering::element(std::string_view mnemonic, const Reference& reference) {
 }
 
 void Lowering::readReference(Scope& scope, const Reference& reference) {
-  if (reference.indices.empty() && shared_.contains(reference.offset)) {
-    emit("READING", {static_cast<std::int64_t>(Choice::IecAddressUnit), 0});
-    constant(0, reference.type->width);
-    load(*reference.type, reference.offset);
-    emit("SEL", {reference.type->width});
-  } else if (reference.indices.empty()) {
+  if (reference.indices.empty()) {
     load(*reference.type, reference.offset);
   } else {
     pushIndex(scope, reference);

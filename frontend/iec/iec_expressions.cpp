@@ -6,6 +6,13 @@ namespace rungproof::iec {
 namespace {
 
 const Type& booleanType() { return *elementaryType("BOOL"); }
+/// Whether a literal that is too large for a signed type gives its bits: 16#FFFF or 65535 for an INT.
+bool isBitsOf(const Value& value, const Type& type) {
+  if (type.kind != Kind::Integer || !type.isSigned) return false;
+  if (type.isLong()) return value.isPattern && value.isHuge;
+  const std::int64_t half = std::int64_t{1} << (type.width - 1);
+  return !value.isHuge && !value.isReal && value.number >= half && value.number < 2 * half;
+}
 bool isComparison(const std::string& op) {
   return op == "=" || op == "<>" || op == "<" || op == ">" || op == "<=" || op == ">=";
 }
@@ -87,6 +94,8 @@ Reference Lowering::reference(Scope& scope, const Expr& path, bool mayBeMissing)
     }
   }
   for (; next < path.parts.size(); ++next) step(at, path.parts[next], path);
+  if (!unmodelledPlaces_.empty() && isApartAt(at.offset))
+    refuse(path.span, "an address that meets an array at another address is not modelled", Syntax::IecNotModelled);
   if (at.type != nullptr && at.type->kind == Kind::Unsupported)
     refuse(path.span, fmt::format("values of type {} are not modelled", at.type->name), Syntax::IecNotModelled);
   return at;
@@ -110,7 +119,8 @@ void Lowering::step(Reference& at, const PathPart& part, const Expr& path) {
   }
   const std::string folded = foldedName(part.name);
   if (at.instance != nullptr) {
-    const auto member = at.instance->names.find(folded);
+    const auto member = at.instance->names.find(
+        at.instance->block->isLibrary ? libraryInput(at.instance->block->name, folded) : folded);
     if (member == at.instance->names.end() && folded == "ENO" && at.instance->enabled) {
       at.owner = at.instance;
       at.type = elementaryType("BOOL");
@@ -125,7 +135,7 @@ void Lowering::step(Reference& at, const PathPart& part, const Expr& path) {
     if (!variable.elements.empty()) refuse(path.span, "an instance in an array of another block is not modelled");
     at.owner = at.instance;
     at.type = variable.type;
-    at.offset = at.instance->placeFromOutside(folded);
+    at.offset = at.instance->placeFromOutside(member->first);
     at.constant = variable.constant;
     at.instance = variable.instance;
     at.declared = variable.declared;
@@ -290,9 +300,14 @@ const Type* Lowering::value(Scope& scope, const Expr& expr, const Type* wanted) 
 }
 
 void Lowering::valueAs(Scope& scope, const Expr& expr, const Type& wanted) {
-  if (widenInBothWidths(scope, expr, wanted)) return;
-  const Type* type = value(scope, expr, &wanted);
-  convertImplicitly(*type, wanted, expr.span);
+  if (!widenInBothWidths(scope, expr, wanted)) {
+    const Type* type = value(scope, expr, &wanted);
+    convertImplicitly(*type, wanted, expr.span);
+    if (type == &wanted && expr.kind == ExprKind::Path) return;
+  }
+  if (!isSubrange(wanted)) return;
+  const auto known = types_.integer(expr);
+  if (!known || *known < wanted.low || *known > wanted.high) checkRange(scope, wanted, expr.span);
 }
 
 void Lowering::pushValue(const Value& value, const Type& wanted, Span span) {
@@ -317,10 +332,51 @@ void Lowering::pushValue(const Value& value, const Type& wanted, Span span) {
                         : !value.isHuge &&
                               value.number >= (wanted.isSigned ? -(std::int64_t{1} << (wanted.width - 1)) : 0) &&
                               value.number < (std::int64_t{1} << wanted.width);
+  if (isBitsOf(value, wanted)) return pushPattern(value, wanted, span);
   if (!fits && value.isHuge)
     refuse(span, fmt::format("{} does not fit into {}", static_cast<std::uint64_t>(value.number), wanted.name));
   if (!fits) refuse(span, fmt::format("{} does not fit into {}", value.number, wanted.name));
   constant(value.number, wanted.width);
+}
+
+/// The number with these bits, which not all implementations take.
+void Lowering::pushPattern(const Value& value, const Type& wanted, Span span) {
+  tellPattern(value, wanted, span);
+  emit("READING", {static_cast<std::int64_t>(Choice::IecHexLiteral), 0});
+  constant(0, wanted.width);
+  constant(value.number, wanted.width);
+  emit("SEL", {wanted.width});
+}
+
+/// A note where a literal is taken by its bits; false: it is an ordinary number.
+bool Lowering::tellPattern(const Value& value, const Type& type, Span span) {
+  if (!isBitsOf(value, type)) return false;
+  const auto bits = static_cast<std::uint64_t>(value.number);
+  const std::int64_t number =
+      type.isLong() ? value.number : value.number - (value.number >> (type.width - 1) << type.width);
+  error(
+      Syntax::IecSpelling, span,
+      fmt::format("{} does not fit into {}: it is taken for the number with these bits, {}", bits, type.name, number));
+  return true;
+}
+
+/// On the stack is a value for a variable of a subrange: outside of it the scan ends by one reading.
+void Lowering::checkRange(Scope& scope, const Type& type, Span span) {
+  if (scope.faultLabel >= 0) refuse(span, "a value for a subrange in __TRY is not modelled", Syntax::IecNotModelled);
+  const std::uint32_t kept = allocate(type.bytes);
+  const int sign = type.isSigned ? 1 : 0;
+  store(type, kept);
+  emit("READING", {static_cast<std::int64_t>(Choice::IecSubrange), 1});
+  load(type, kept);
+  constant(type.low, type.width);
+  emit("LT", {type.width, sign});
+  load(type, kept);
+  constant(type.high, type.width);
+  emit("GT", {type.width, sign});
+  emit("OR", {1});
+  emit("AND", {1});
+  emit("FAULT");
+  load(type, kept);
 }
 
 /// Where nothing is lost; a narrower or other type needs a function of conversion.
@@ -369,7 +425,7 @@ bool Lowering::calls(const Expr& expr) {
 
 /// Whether computing it may end the scan, or has an effect.
 bool Lowering::mayFault(const Expr& expr) const {
-  if (expr.kind == ExprKind::Call) return true;
+  if (expr.kind == ExprKind::Call) return foldedName(expr.parts[0].name) != "__READING";
   if (expr.kind == ExprKind::Binary && (expr.text == "/" || expr.text == "MOD")) return true;
   for (const PathPart& part : expr.parts) {
     for (const ExprPtr& index : part.indices) {

@@ -343,6 +343,64 @@ void Lowering::limit(Scope& scope, const std::vector<const Expr*>& values, const
   emit("SEL", {type.width});
 }
 
+/// MUX: what a K gives that selects no input is a reading.
+const Type* Lowering::multiplexer(Scope& scope, const std::vector<const Expr*>& values, const Type* wanted, Span span) {
+  const std::vector<const Expr*> inputs(values.begin() + 1, values.end());
+  const Type* type = commonOf(scope, inputs, wanted, span);
+  const Type* number = value(scope, *values[0], elementaryType("DINT"));
+  if (!number->isNumber()) refuse(values[0]->span, "K of MUX is a whole number");
+  const std::uint32_t selector = allocate(number->bytes), result = allocate(type->bytes);
+  store(*number, selector);
+  const auto known = types_.integer(*values[0]);
+  const bool mayMiss = !known || *known < 0 || *known >= static_cast<std::int64_t>(inputs.size());
+  const auto reads = [&](std::int64_t reading) {
+    emit("READING", {static_cast<std::int64_t>(Choice::IecMuxRange), reading});
+  };
+  const auto misses = [&] {
+    load(*number, selector);
+    constant(0, number->width);
+    emit("LT", {number->width, number->isSigned ? 1 : 0});
+    load(*number, selector);
+    constant(static_cast<std::int64_t>(inputs.size()), number->width);
+    emit("GE", {number->width, number->isSigned ? 1 : 0});
+    emit("OR", {1});
+  };
+  if (mayMiss) {
+    reads(1);
+    misses();
+    emit("AND", {1});
+    emit("FAULT");
+  }
+  constant(0, type->width);
+  store(*type, result);
+  const std::uint32_t last = mayMiss ? allocate(type->bytes) : result;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const bool isKept = mayMiss && i + 1 == inputs.size();
+    if (isKept) {
+      valueAs(scope, *inputs[i], *type);
+      store(*type, last);
+    }
+    load(*number, selector);
+    constant(static_cast<std::int64_t>(i), number->width);
+    emit("EQ", {number->width, 0});
+    load(*type, result);
+    isKept ? load(*type, last) : valueAs(scope, *inputs[i], *type);
+    emit("SEL", {type->width});
+    store(*type, result);
+  }
+  if (mayMiss) {
+    reads(2);
+    misses();
+    emit("AND", {1});
+    load(*type, result);
+    load(*type, last);
+    emit("SEL", {type->width});
+    store(*type, result);
+  }
+  load(*type, result);
+  return type;
+}
+
 const Type* Lowering::standardCall(Scope& scope, const std::string& name, const Expr& expr, const Type* wanted) {
   const Type& boolean = *elementaryType("BOOL");
   if (name == "__READING") {
@@ -356,6 +414,10 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
     if (texts.size() != 2 || !known.set(texts[0], texts[1]))
       refuse(expr.span, "__READING takes the name of a choice and one of its readings");
     for (const ChoiceInfo& info : choiceTable) {
+      if (info.choice == Choice::IecTimerDone && known.isChosen(info.choice) && !mayChangePreset(*scope.self)) {
+        constant(0, 1);
+        return &boolean;
+      }
       if (known.isChosen(info.choice)) emit("READING", {static_cast<std::int64_t>(info.choice), known[info.choice]});
     }
     return &boolean;
@@ -433,28 +495,7 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
       emit("SEL", {type->width});
       return type;
     }
-    case FunctionKind::Mux: {
-      need(3, 64);
-      const std::vector<const Expr*> inputs(values.begin() + 1, values.end());
-      const Type* type = commonOf(scope, inputs, wanted, expr.span);
-      const Type* number = value(scope, *values[0], elementaryType("DINT"));
-      if (!number->isNumber()) refuse(expr.span, "K of MUX is a whole number");
-      const std::uint32_t selector = allocate(number->bytes), result = allocate(type->bytes);
-      store(*number, selector);
-      constant(0, type->width);
-      store(*type, result);
-      for (std::size_t i = 0; i < inputs.size(); ++i) {
-        load(*number, selector);
-        constant(static_cast<std::int64_t>(i), number->width);
-        emit("EQ", {number->width, 0});
-        load(*type, result);
-        valueAs(scope, *inputs[i], *type);
-        emit("SEL", {type->width});
-        store(*type, result);
-      }
-      load(*type, result);
-      return type;
-    }
+    case FunctionKind::Mux: need(3, 64); return multiplexer(scope, values, wanted, expr.span);
     case FunctionKind::Extreme:
     case FunctionKind::Limit: {
       if (row.call == FunctionKind::Limit) need(3, 3);

@@ -1,169 +1,13 @@
-// The function blocks of the standard, in its own language. The state of a timer is 0 idle, 1 running, 2 done; while it
-// runs the machine adds the time of each scan to ELAPSED (PASS, ir/iec/isa/control.hpp), so that it goes on whether the
-// block is called or not. `__READING('key', 'value')` is TRUE where that reading of an open point is in force.
+// The function blocks of the standard, in its own language: frontend/iec/library has a file for each group of them.
 #include "frontend/iec/iec_lowering.hpp"
+#include "frontend/iec/library/bistable_blocks.hpp"
+#include "frontend/iec/library/counter_blocks.hpp"
+#include "frontend/iec/library/regulation_blocks.hpp"
+#include "frontend/iec/library/timer_blocks.hpp"
 
 namespace rungproof::iec {
 
 namespace {
-
-constexpr std::string_view bistables = R"(
-FUNCTION_BLOCK SR
-VAR_INPUT S1, R : BOOL; END_VAR
-VAR_OUTPUT Q1 : BOOL; END_VAR
-Q1 := S1 OR (NOT R AND Q1);
-END_FUNCTION_BLOCK
-
-FUNCTION_BLOCK RS
-VAR_INPUT S, R1 : BOOL; END_VAR
-VAR_OUTPUT Q1 : BOOL; END_VAR
-Q1 := NOT R1 AND (S OR Q1);
-END_FUNCTION_BLOCK
-
-FUNCTION_BLOCK SEMA
-VAR_INPUT CLAIM, RELEASE : BOOL; END_VAR
-VAR_OUTPUT BUSY : BOOL; END_VAR
-VAR X : BOOL; END_VAR
-IF __READING('iec-sema', 'delayed') THEN
-  BUSY := X;
-  IF CLAIM THEN X := TRUE; ELSIF RELEASE THEN BUSY := FALSE; X := FALSE; END_IF;
-ELSE
-  X := CLAIM OR (X AND NOT RELEASE);
-  BUSY := X;
-END_IF;
-END_FUNCTION_BLOCK
-
-FUNCTION_BLOCK R_TRIG
-VAR_INPUT CLK : BOOL; END_VAR
-VAR_OUTPUT Q : BOOL; END_VAR
-VAR M : BOOL; END_VAR
-Q := CLK AND NOT M;
-M := CLK;
-END_FUNCTION_BLOCK
-
-FUNCTION_BLOCK F_TRIG
-VAR_INPUT CLK : BOOL; END_VAR
-VAR_OUTPUT Q : BOOL; END_VAR
-VAR M : BOOL; KNOWN : BOOL; END_VAR
-Q := NOT CLK AND NOT M AND (KNOWN OR NOT __READING('iec-ftrig-first', 'none'));
-M := NOT CLK;
-KNOWN := TRUE;
-END_FUNCTION_BLOCK
-)";
-
-/// {0}: name behind the first letters, {1}: type of PV and CV, {2}: its greatest, {3}: its least number.
-constexpr std::string_view counters = R"(
-FUNCTION_BLOCK CTU{0}
-VAR_INPUT CU : BOOL; R : BOOL; PV : {1}; END_VAR
-VAR_OUTPUT Q : BOOL; CV : {1}; END_VAR
-VAR M : BOOL; END_VAR
-IF R THEN CV := 0;
-ELSIF CU AND NOT M AND (CV < PV OR __READING('iec-counter-limit', 'type-max') AND CV < {2}) THEN CV := CV + 1;
-END_IF;
-M := CU;
-Q := CV >= PV;
-END_FUNCTION_BLOCK
-
-FUNCTION_BLOCK CTD{0}
-VAR_INPUT CD : BOOL; LD : BOOL; PV : {1}; END_VAR
-VAR_OUTPUT Q : BOOL; CV : {1}; END_VAR
-VAR M : BOOL; END_VAR
-IF LD THEN CV := PV;
-ELSIF CD AND NOT M AND (CV > 0 OR __READING('iec-ctd-limit', 'type-min') AND CV > {3}) THEN CV := CV - 1;
-END_IF;
-M := CD;
-Q := CV <= 0;
-END_FUNCTION_BLOCK
-
-FUNCTION_BLOCK CTUD{0}
-VAR_INPUT CU, CD : BOOL; R, LD : BOOL; PV : {1}; END_VAR
-VAR_OUTPUT QU, QD : BOOL; CV : {1}; END_VAR
-VAR MU, MD : BOOL; UP, DOWN : BOOL; END_VAR
-UP := CU AND NOT MU;
-DOWN := CD AND NOT MD;
-IF R THEN CV := 0;
-ELSIF LD THEN CV := PV;
-ELSIF UP AND NOT DOWN AND (CV < PV OR __READING('iec-counter-limit', 'type-max') AND CV < {2}) THEN CV := CV + 1;
-ELSIF DOWN AND NOT UP AND (CV > 0 OR __READING('iec-ctd-limit', 'type-min') AND CV > {3}) THEN CV := CV - 1;
-END_IF;
-IF NOT (__READING('iec-ctud-edges', 'when-counting') AND (R OR LD)) THEN
-  MU := CU;
-  MD := CD;
-END_IF;
-QU := CV >= PV;
-QD := CV <= 0;
-END_FUNCTION_BLOCK
-)";
-
-constexpr std::string_view timers = R"(
-FUNCTION_BLOCK TON
-VAR_INPUT IN : BOOL; PT : TIME; END_VAR
-VAR_OUTPUT Q : BOOL; ET : TIME; END_VAR
-VAR STATE : USINT; ELAPSED : TIME; M : BOOL; END_VAR
-IF STATE = 0 AND IN AND NOT M THEN
-  STATE := 1; ELAPSED := T#0ms; Q := FALSE; ET := T#0ms;
-  IF __READING('iec-timer-start', 'same-call') AND PT <= T#0ms THEN STATE := 2; Q := TRUE; ET := PT; END_IF;
-ELSIF NOT IN THEN
-  STATE := 0; Q := FALSE; ET := T#0ms;
-ELSIF STATE = 1 THEN
-  IF PT <= ELAPSED THEN STATE := 2; Q := TRUE; ET := PT;
-  ELSE ET := ELAPSED; END_IF;
-END_IF;
-M := IN;
-END_FUNCTION_BLOCK
-
-FUNCTION_BLOCK TP
-VAR_INPUT IN : BOOL; PT : TIME; END_VAR
-VAR_OUTPUT Q : BOOL; ET : TIME; END_VAR
-VAR STATE : USINT; ELAPSED : TIME; M : BOOL; END_VAR
-IF STATE = 0 AND IN AND NOT M THEN
-  STATE := 1; ELAPSED := T#0ms; Q := TRUE;
-  IF __READING('iec-timer-start', 'same-call') AND PT <= T#0ms THEN STATE := 2; Q := FALSE; ET := PT; END_IF;
-ELSIF STATE = 1 THEN
-  IF PT <= ELAPSED THEN STATE := 2; Q := FALSE; ET := PT;
-  ELSE ET := ELAPSED; END_IF;
-END_IF;
-IF STATE = 2 AND NOT IN THEN ET := T#0ms; STATE := 0; END_IF;
-M := IN;
-END_FUNCTION_BLOCK
-
-FUNCTION_BLOCK TOF
-VAR_INPUT IN : BOOL; PT : TIME; END_VAR
-VAR_OUTPUT Q : BOOL; ET : TIME; END_VAR
-VAR STATE : USINT; ELAPSED : TIME; M : BOOL; END_VAR
-IF STATE = 0 AND NOT IN AND M THEN
-  STATE := 1; ELAPSED := T#0ms;
-  IF __READING('iec-timer-start', 'same-call') AND PT <= T#0ms THEN STATE := 2; ET := PT; END_IF;
-ELSIF IN THEN
-  STATE := 0; ET := T#0ms;
-ELSIF STATE = 1 THEN
-  IF PT <= ELAPSED THEN STATE := 2; ET := PT;
-  ELSE ET := ELAPSED; END_IF;
-END_IF;
-Q := IN OR STATE = 1;
-M := IN;
-END_FUNCTION_BLOCK
-)";
-
-/// A step of a chart: T is the time since its activation and keeps its value behind it, CLOCK the same as far as it is
-/// compared with constants, WAS its X of the scan before. The machine lets the time pass (PASS).
-constexpr std::string_view steps = R"(
-FUNCTION_BLOCK __STEP
-VAR_OUTPUT X : BOOL; T : TIME; END_VAR
-VAR CLOCK : TIME; WAS : BOOL; END_VAR
-END_FUNCTION_BLOCK
-)";
-
-constexpr std::string_view regulation = R"(
-FUNCTION_BLOCK HYSTERESIS
-VAR_INPUT XIN1, XIN2, EPS : REAL; END_VAR
-VAR_OUTPUT Q : BOOL; END_VAR
-IF Q THEN
-  IF XIN1 < XIN2 - EPS THEN Q := FALSE; END_IF;
-ELSIF XIN1 > XIN2 + EPS THEN Q := TRUE;
-END_IF;
-END_FUNCTION_BLOCK
-)";
 
 /// The decimal digits of a number, and a minus sign: what INT_TO_STRING and its kin make on every implementation.
 constexpr std::string_view digits = R"(
@@ -188,25 +32,43 @@ END_IF;
 END_FUNCTION
 )";
 
+/// Calls visit(group) for each group of blocks.
+template <class Visit>
+void eachGroup(Visit visit) {
+  visit(library::BistableBlocks{});
+  visit(library::CounterBlocks{});
+  visit(library::TimerBlocks{});
+  visit(library::RegulationBlocks{});
+}
+
 }  // namespace
+
+std::string libraryInput(const std::string& block, const std::string& folded) {
+  struct Alias {
+    std::string_view blocks, name, own;
+  };
+  static constexpr Alias aliases[] = {{"SR", "SET1", "S1"},   {"SR", "RESET", "R"},       {"RS", "SET", "S"},
+                                      {"RS", "RESET1", "R1"}, {"CTU CTUD", "RESET", "R"}, {"CTD CTUD", "LOAD", "LD"}};
+  const std::string base = foldedName(block.substr(0, block.find('_')));
+  for (const Alias& alias : aliases) {
+    const std::size_t at = alias.blocks.find(base);
+    const std::size_t end = at + base.size();
+    const bool isOf = at != std::string_view::npos && (at == 0 || alias.blocks[at - 1] == ' ') &&
+                      (end == alias.blocks.size() || alias.blocks[end] == ' ');
+    if (isOf && alias.name == folded) return std::string(alias.own);
+  }
+  return folded;
+}
+
+std::vector<std::string> libraryBlockNames() {
+  std::vector<std::string> names;
+  eachGroup([&](auto group) { group.nameTo(names); });
+  return names;
+}
 
 void addStandardBlocks(Program& program, ProjectSyntax& project) {
   std::string text;
-  text += bistables;
-  struct Width {
-    const char *suffix, *type, *greatest, *least;
-  };
-  for (const Width& width : {Width{"", "INT", "32767", "-32768"},
-                             {"_INT", "INT", "32767", "-32768"},
-                             {"_DINT", "DINT", "2147483647", "-2147483648"},
-                             {"_UDINT", "UDINT", "4294967295", "0"},
-                             {"_UINT", "UINT", "65535", "0"},
-                             {"_LINT", "LINT", "9223372036854775807", "-9223372036854775807 - 1"},
-                             {"_ULINT", "ULINT", "18446744073709551615", "0"}})
-    text += fmt::format(fmt::runtime(counters), width.suffix, width.type, width.greatest, width.least);
-  text += timers;
-  text += steps;
-  text += regulation;
+  eachGroup([&](auto group) { group.addTo(text); });
   text += digits;
   const std::uint32_t file = program.sources->add("blocks of IEC 61131-3", text);
   SyntaxSink sink(program, file);
@@ -217,6 +79,7 @@ void addStandardBlocks(Program& program, ProjectSyntax& project) {
         project.blocks, [&](const BlockSyntax& own) { return foldedName(own.name) == foldedName(block.name); });
     if (isOwn) continue;
     block.isLibrary = true;
+    block.isContract = block.name == library::Clock::name;
     project.blocks.push_back(std::move(block));
   }
 }

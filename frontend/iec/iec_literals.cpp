@@ -36,6 +36,7 @@ std::optional<Value> integerOf(std::string_view text) {
   if (!value) return std::nullopt;
   Value made{nullptr, static_cast<std::int64_t>(*value)};
   made.isHuge = made.number < 0;
+  made.isPattern = mark != std::string_view::npos;
   if (!isNegative) return made;
   if (made.isHuge && *value != std::uint64_t{1} << 63) return std::nullopt;
   made.number = static_cast<std::int64_t>(0 - *value);

@@ -41,6 +41,7 @@ void Lowering::run() {
   }
   declareGlobals();
   findSharedAddresses();
+  findChangingPresets();
   makePrograms();
   program_.target = Target(static_cast<Cpu>(firstIecCpu), Edition::Iec);
   chooseMachine();
@@ -177,6 +178,7 @@ void Lowering::initialize(const Type& type, std::uint32_t offset, const Initial*
   }
   if (type.kind == Kind::Time && value->type == nullptr && value->number != 0)
     refuse(initial->span, "a duration is written T#5s");
+  tellPattern(*value, type, initial->span);
   writeInitial(type, offset, *value);
 }
 

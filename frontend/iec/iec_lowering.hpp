@@ -29,10 +29,10 @@ struct Variable {
 /// A block with its own variables. Of a function there is one.
 struct BlockInstance {
   const BlockSyntax* block = nullptr;
-  std::string path;  ///< "MAIN.T1"
+  std::string path;                                 ///< "MAIN.T1"
   std::unordered_map<std::string, Variable> names;  ///< in capitals
-  int routine = -1;     ///< number of its subroutine; -1: not made
-  bool isOpen = false;  ///< its body is being made
+  int routine = -1;                                 ///< number of its subroutine; -1: not made
+  bool isOpen = false;                              ///< its body is being made
   bool hasInOut = false;
   /// Of a timer: the greatest PT that is given, as far as only constants are; nothing: any.
   std::optional<std::int64_t> longestPreset = 0;
@@ -113,6 +113,23 @@ class Lowering {
   // iec_addresses.cpp
   std::optional<std::uint32_t> located(const VariableSyntax& syntax, const Type& type);
   void findSharedAddresses();
+  std::int64_t extentOf(const VariableSyntax& variable);
+  /// A place whose address meets another one on some controllers.
+  struct SharedPlace {
+    char area;
+    std::uint32_t offset;
+    const Type* type;
+    std::int64_t inUnits, inBytes;  ///< its first bit
+    int bits;
+  };
+  bool isApartAt(std::uint32_t offset) const;
+  void writeThrough(std::uint32_t offset);
+  void mergeBytes(const SharedPlace& from, const SharedPlace& to, std::int64_t fromBit, std::int64_t toBit,
+                  std::string_view unit);
+  void joinInputs();
+  // iec_presets.cpp
+  void findChangingPresets();
+  bool mayChangePreset(const BlockInstance& timer) const;
   // iec_circuits.cpp
   using NetworkWriter = std::function<void(Span, const std::function<void()>&)>;  ///< of a place, with what to write
   std::size_t writeCircuit(Pou& pou, Scope& scope, const Statements& body, std::size_t first,
@@ -144,6 +161,7 @@ class Lowering {
   void makeMain();
   void callProgram(std::size_t number);
   void callTasks(const std::vector<std::size_t>& order);
+  std::vector<bool> interruptible() const;
   void startPhases();
 
   // iec_emission.cpp
@@ -227,6 +245,7 @@ class Lowering {
   // iec_conversions.cpp
   const Type* conversion(Scope& scope, const std::string& name, const Expr& expr);
   void convert(const Type& from, const Type& to, bool cuts, Span span);
+  void toBool(const Type& from);
   void fromDuration(const Type& from, const Type& to, Span span);
   void toDuration(const Type& from, const Type& to, Span span);
   void fromBcd();
@@ -266,6 +285,9 @@ class Lowering {
   const Type* value(Scope& scope, const Expr& expr, const Type* wanted);
   void valueAs(Scope& scope, const Expr& expr, const Type& wanted);
   void pushValue(const Value& value, const Type& wanted, Span span);
+  void pushPattern(const Value& value, const Type& wanted, Span span);
+  bool tellPattern(const Value& value, const Type& type, Span span);
+  void checkRange(Scope& scope, const Type& type, Span span);
   void convertImplicitly(const Type& from, const Type& to, Span span);
   const Type* unary(Scope& scope, const Expr& expr, const Type* wanted);
   const Type* binary(Scope& scope, const Expr& expr, const Type* wanted);
@@ -279,6 +301,7 @@ class Lowering {
   const Type* standardResult(Scope& scope, const std::string& name, const Expr& expr);
   void limit(Scope& scope, const std::vector<const Expr*>& values, const Type& type,
              const std::function<void(std::string_view)>& extreme);
+  const Type* multiplexer(Scope& scope, const std::vector<const Expr*>& values, const Type* wanted, Span span);
   const Type* standardCall(Scope& scope, const std::string& name, const Expr& expr, const Type* wanted);
   bool isStandard(const std::string& name) const;
   const Type* ownFunction(Scope& scope, BlockInstance& function, const Expr& expr);
@@ -308,9 +331,10 @@ class Lowering {
     std::int64_t priority = 0;  ///< 0: highest
     const TaskEvent* event = nullptr;
     bool isCyclic = false;
-    std::uint32_t every = 1;    ///< scans from one run to the next
-    std::uint32_t counter = 0;  ///< place of the scans since, where `every` is more than 1
-    std::uint32_t phase = 0;    ///< likewise: the place whose value says in which scan it runs first
+    std::uint32_t every = 1;       ///< scans from one run to the next
+    std::uint32_t counter = 0;     ///< place of the scans since, where `every` is more than 1
+    std::uint32_t phase = 0;       ///< likewise: the place whose value says in which scan it runs first
+    bool isInterruptible = false;  ///< what it shares with a task of other priority might change while it runs
   };
   std::vector<ProgramRun> runs_;  ///< parallel to programs_
   std::vector<BlockInstance*> programs_;
@@ -318,8 +342,11 @@ class Lowering {
   std::vector<std::pair<BlockInstance*, std::int64_t>> steps_;  ///< of charts, with VariableSyntax::longestClock
   std::set<const ActionSyntax*> openActions_;
   std::map<std::string, std::uint32_t> places_;  ///< by address in capitals
-  std::set<std::string> sharedAddresses_;  ///< in capitals: other addresses name their bytes too on some controllers
-  std::set<std::uint32_t> shared_;         ///< their places
+  std::vector<SharedPlace> shared_;
+  std::set<std::string> apart_;  ///< in capitals: addresses that meet an array at another address
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> unmodelledPlaces_;  ///< theirs: first byte, end
+  std::set<std::string> changingPresets_;  ///< timers by the last part of their names, in capitals
+  bool anyPresetMayChange_ = false;
   std::map<std::string, TextAt> literalTexts_;  ///< as written
   std::vector<std::pair<std::string, std::uint32_t>> addressNames_;
   struct Freed {
@@ -349,6 +376,9 @@ class Lowering {
   static constexpr std::uint32_t mostBytes = 1U << 20;
 };
 
+/// What another maker calls an input of a block of the library, in capitals: RESET of a CTU is its R. The same name: he
+/// has none of his own.
+std::string libraryInput(const std::string& block, const std::string& folded);
 /// The type that a conversion of that name gives (INT_TO_REAL), in capitals; nullptr: it is none.
 const Type* conversionTarget(const std::string& name);
 bool isText(const Type* type);
@@ -362,6 +392,8 @@ bool isComparisonFunction(const std::string& folded);
 void buildIecProgram(Program& program, ProjectSyntax& project);
 /// Appends blocks for the instances whose block no file has (BlockSyntax::isContract).
 void addContracts(Program& program, ProjectSyntax& project);
+/// The blocks of the library that a program may declare, in capitals.
+std::vector<std::string> libraryBlockNames();
 /// Appends the blocks of the standard that the project does not have itself.
 void addStandardBlocks(Program& program, ProjectSyntax& project);
 

@@ -204,8 +204,12 @@ void Lowering::callProgram(std::size_t number) {
   const int skip = newLabel();
   const Type& counter = *elementaryType("UDINT");
   const bool isPeriodic = run.event == nullptr || run.isCyclic;
-  const bool mayWait = run.event != nullptr || run.every > 1;
-  if (mayWait) {
+  if (run.isInterruptible) {
+    emit("READING", {static_cast<std::int64_t>(Choice::IecPreemption), 0});
+    jumpIfFalse(skip);
+  }
+  const bool mayWait = run.event != nullptr || run.every > 1 || run.isInterruptible;
+  if (run.event != nullptr || run.every > 1) {
     if (run.event != nullptr) load(*elementaryType("BOOL"), run.event->due);
     if (isPeriodic && run.every > 1) {
       load(counter, run.counter);
@@ -252,6 +256,68 @@ void Lowering::startPhases() {
   store(boolean, hasBegun);
 }
 
+namespace {
+
+/// The bytes that an instruction reads or writes.
+struct Touched {
+  std::set<std::uint32_t> read, written;
+};
+
+void addTouched(const Instruction& instruction, Touched& touched) {
+  for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
+    const Operand& operand = instruction.operands[i];
+    if (operand.area != Area::V || operand.kind != OperandKind::Direct) continue;
+    const OperandDesc& desc = instruction.desc->operands[i];
+    const bool isRow = desc.count.operand >= 0;
+    const auto count = isRow ? static_cast<std::uint32_t>(instruction.operands[i + 1].value)
+                             : static_cast<std::uint32_t>(std::max(rungproof::bytes(operand.width), 1));
+    for (std::uint32_t at = operand.offset; at < operand.offset + count; ++at) {
+      if (desc.direction != Direction::Out) touched.read.insert(at);
+      if (desc.direction != Direction::In) touched.written.insert(at);
+    }
+  }
+}
+
+}  // namespace
+
+/// Of each program whether it writes what a task of another priority reads or writes, or the reverse.
+std::vector<bool> Lowering::interruptible() const {
+  std::vector<bool> result(runs_.size(), false);
+  if (std::ranges::all_of(runs_, [&](const ProgramRun& run) { return run.priority == runs_[0].priority; }))
+    return result;
+  std::map<int, const Pou*> routines;
+  for (const Pou& pou : program_.pous) routines[pou.number] = &pou;
+  std::vector<Touched> touched(runs_.size());
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    std::set<int> seen;
+    const auto walk = [&](const auto& self, int number) -> void {
+      const auto routine = routines.find(number);
+      if (routine == routines.end() || !seen.insert(number).second) return;
+      for (const Network& network : routine->second->networks) {
+        for (const Instruction& one : network.instructions) {
+          addTouched(one, touched[i]);
+          if (one.desc->control == Control::Call) self(self, static_cast<int>(one.operands[0].value));
+        }
+      }
+    };
+    walk(walk, programs_[i]->routine);
+  }
+  const auto meets = [](const std::set<std::uint32_t>& written, const Touched& other) {
+    return std::ranges::any_of(written,
+                               [&](std::uint32_t at) { return other.read.contains(at) || other.written.contains(at); });
+  };
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    const InstanceSyntax* instance = runs_[i].instance;  // what it is given is copied in front of it and behind it
+    result[i] = instance != nullptr && instance->connections != nullptr;
+    for (std::size_t k = 0; k < runs_.size(); ++k) {
+      if (runs_[i].priority != runs_[k].priority &&
+          (meets(touched[i].written, touched[k]) || meets(touched[k].written, touched[i])))
+        result[i] = true;
+    }
+  }
+  return result;
+}
+
 void Lowering::callTasks(const std::vector<std::size_t>& order) {
   for (const std::size_t number : order) callProgram(number);
 }
@@ -273,8 +339,9 @@ void Lowering::makeMain() {
     emit("PASS");
     last().operands.push_back(direct(Area::V, Width::Byte, timer->names.at("STATE").offset));
     last().operands.push_back(direct(Area::V, Width::DWord, timer->names.at("ELAPSED").offset));
-    last().operands.push_back(
-        rungproof::constant(std::max<std::int64_t>(timer->longestPreset.value_or(0x7FFFFFFF), 1)));
+    // One ms more than PT: by one reading a timer ends when its time exceeds PT.
+    const std::int64_t longest = timer->longestPreset.value_or(0x7FFFFFFF);
+    last().operands.push_back(rungproof::constant(std::clamp<std::int64_t>(longest + 1, 1, 0x7FFFFFFF)));
   }
   for (const auto& [step, longest] : steps_) {
     const auto pass = [&](const char* clock, std::int64_t limit) {
@@ -291,6 +358,9 @@ void Lowering::makeMain() {
   std::vector<std::size_t> byPriority = declared;
   std::ranges::stable_sort(byPriority, {}, [&](std::size_t i) { return runs_[i].priority; });
   try {
+    const std::vector<bool> shares = interruptible();
+    for (std::size_t i = 0; i < runs_.size(); ++i) runs_[i].isInterruptible = shares[i];
+    joinInputs();
     startPhases();
     askEvents();
     if (byPriority == declared) {

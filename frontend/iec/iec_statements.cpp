@@ -396,10 +396,10 @@ void Lowering::callAction(Scope& scope, const ActionSyntax& action, Span span) {
 
 /// Inputs, body, outputs; with EN only where it is TRUE.
 void Lowering::callInstance(Scope& scope, BlockInstance& instance, const Expr& call) {
-  if (scope.action != nullptr && scope.action->isCondition)
+  if (scope.action != nullptr && scope.action->isCondition && !scope.action->mayCall)
     refuse(call.span,
-           "a function block in the condition of a transition is not modelled: whether it is called while its step is "
-           "not active is open",
+           "a function block in such a condition of a transition is not modelled: whether it is called while its step "
+           "is not active is open",
            Syntax::IecNotModelled);
   const Argument* enable = nullptr;
   const Argument* enabled = nullptr;
@@ -448,7 +448,8 @@ void Lowering::bindInputs(Scope& scope, BlockInstance& instance, const Expr& cal
   std::size_t position = 0;
   for (const Argument& argument : call.arguments) {
     if (argument.isOutput) continue;
-    const std::string name = foldedName(argument.name);
+    const std::string written = foldedName(argument.name);
+    const std::string name = instance.block->isLibrary ? libraryInput(instance.block->name, written) : written;
     if (name == "EN" && !instance.names.contains(name)) continue;
     const VariableSyntax* formal = nullptr;
     if (name.empty()) {
@@ -532,6 +533,8 @@ void Lowering::readOutputs(Scope& scope, BlockInstance& instance, const Expr& ca
     load(*source.type, source.offset);
     if (argument.isNegated) emit("NOT", {source.type->width});
     convertImplicitly(*source.type, target.valueType(), argument.span);
+    if (isSubrange(target.valueType()) && source.type != &target.valueType())
+      checkRange(scope, target.valueType(), argument.span);
     writeReference(scope, target);
   }
 }

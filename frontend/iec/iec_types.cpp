@@ -84,6 +84,11 @@ const Type* elementaryType(std::string_view folded) {
   return found == elementaryTypes().end() ? nullptr : &found->second;
 }
 
+bool isSubrange(const Type& type) {
+  const Type* base = type.kind == Kind::Integer && !type.isLong() ? elementaryType(type.name) : nullptr;
+  return base != nullptr && (type.low > base->low || type.high < base->high);
+}
+
 TypeTable::TypeTable(const ProjectSyntax& project, SyntaxSink& sink) : sink_(sink) {
   for (const BlockSyntax& block : project.blocks) blocks_.emplace(foldedName(block.name), &block);
   for (const NamedType& type : project.types) {
@@ -208,6 +213,18 @@ std::optional<Value> TypeTable::enumerator(const std::string& name, const std::s
   return found == items_.end() ? std::nullopt : std::optional(found->second);
 }
 
+namespace {
+/// Whether a sum or product of constants is one of their numbers: both count the same. Of dates the result has another
+/// type; of a duration there are multiples.
+bool isOneUnit(const std::string& op, const Type* left, const Type* right) {
+  const auto isOf = [](const Type* type, Kind kind) { return type != nullptr && type->kind == kind; };
+  if (isOf(left, Kind::Date) || isOf(right, Kind::Date)) return false;
+  const bool isTime = isOf(left, Kind::Time), isRightTime = isOf(right, Kind::Time);
+  if (!isTime && !isRightTime) return true;
+  return op == "*" ? isTime != isRightTime : isTime && isRightTime && left->width == right->width;
+}
+}  // namespace
+
 std::optional<std::int64_t> TypeTable::integer(const Expr& expr) {
   const auto value = constant(expr);
   return value && !value->isReal ? std::optional(value->number) : std::nullopt;
@@ -238,7 +255,8 @@ std::optional<Value> TypeTable::constant(const Expr& expr) {
   }
   if (expr.kind == ExprKind::Binary) {
     const auto left = constant(*expr.operands[0]), right = constant(*expr.operands[1]);
-    if (!left || !right || left->isReal || right->isReal) return std::nullopt;
+    if (!left || !right || left->isReal || right->isReal || !isOneUnit(expr.text, left->type, right->type))
+      return std::nullopt;
     const auto inRange = [](std::int64_t n) { return n > -(std::int64_t{1} << 40) && n < (std::int64_t{1} << 40); };
     if (!inRange(left->number) || !inRange(right->number)) return std::nullopt;
     Value made{left->type != nullptr ? left->type : right->type, 0};

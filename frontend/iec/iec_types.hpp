@@ -61,13 +61,17 @@ struct Value {
   std::int64_t number = 0;     ///< REAL: its pattern
   bool isReal = false;         ///< a real literal, which takes REAL or LREAL
   double real = 0;
-  bool isHuge = false;  ///< above 2^63 - 1: `number` is the pattern of 64 bits
+  bool isHuge = false;     ///< above 2^63 - 1: `number` is the pattern of 64 bits
+  bool isPattern = false;  ///< written as bits: 16#FFFF
 };
 
 /// Types that begin so belong to variables that a panel writes.
 inline constexpr std::string_view panelPrefix = "HMI_";
 /// Elementary types, by name in capitals; nullptr for names that are none.
 const Type* elementaryType(std::string_view folded);
+
+/// Whether a type of whole numbers has limits of its own: INT (0..10).
+bool isSubrange(const Type& type);
 
 /// What a literal means, or nothing with the reason.
 std::optional<Value> literalValue(const Expr& literal, std::string& reason);

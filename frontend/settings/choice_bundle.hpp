@@ -46,7 +46,15 @@ inline constexpr ChosenValue compiledByMatiec[] = {{"iec-div-zero", "fault"},
                                                    {"iec-sema", "direct"},
                                                    {"iec-limit-crossed", "lower"},
                                                    {"iec-sfc-selection", "all-true"},
-                                                   {"iec-inout", "copy"}};
+                                                   {"iec-inout", "copy"},
+                                                   {"iec-timer-clock", "scan"},
+                                                   {"iec-timer-expiry", "at-preset"},
+                                                   {"iec-timer-done", "holds"},
+                                                   {"iec-mux-range", "zero"},
+                                                   {"iec-to-bool", "nonzero"},
+                                                   {"iec-subrange", "stored"},
+                                                   {"iec-preemption", "none"},
+                                                   {"iec-condition-blocks", "each-scan"}};
 inline constexpr ChosenValue codesys[] = {{"iec-div-zero", "fault"},
                                           {"iec-mod-zero", "fault"},
                                           {"iec-counter-limit", "preset"},
@@ -62,7 +70,11 @@ inline constexpr ChosenValue codesys[] = {{"iec-div-zero", "fault"},
                                           {"iec-ld-flow", "once"},
                                           {"iec-ftrig-first", "edge"},
                                           {"iec-sfc-selection", "one"},
-                                          {"iec-inout", "reference"}};
+                                          {"iec-inout", "reference"},
+                                          {"iec-timer-expiry", "at-preset"},
+                                          {"iec-to-bool", "nonzero"},
+                                          {"iec-subrange", "stored"},
+                                          {"iec-hex-literal", "pattern"}};
 }  // namespace bundle
 
 inline constexpr std::array<ChoiceBundle, 3> choiceBundles = {{{"iec", "openplc", bundle::compiledByMatiec},

@@ -56,6 +56,7 @@ constexpr auto expressionRows = std::to_array<ExpressionRow>({
     {"STORE", Store, {1, 0}},
     {"STORE.BIT", StoreBit, {1, 0}},
     {"STORE.ELEMENT", Other, {2, 0}},
+    {"FAULT", Other, {1, 0}},
     {"JMPCN", Other, {1, 0}},
     {"SEL", Select, {3, 1}},
     {"AND", And, {2, 1}},

@@ -191,6 +191,7 @@ struct ActionSyntax {
   Span span;
   bool isChart = false;      ///< made of a chart: it alone moves the tokens
   bool isCondition = false;  ///< computes the condition of a transition
+  bool mayCall = false;      ///< of a condition: function blocks that it calls are called by the reading in force
 };
 
 struct BlockSyntax {

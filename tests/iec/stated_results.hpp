@@ -101,6 +101,7 @@ inline std::vector<Result> plainResults() {
       {"DINT", "a : SINT := -3;", "r := a;", -3},
       {"UDINT", "a : USINT := 200;", "r := a;", 200},
       {"BOOL", "a : INT := 256;", "r := INT_TO_BOOL(a);", 1},
+      {"BOOL", "a : WORD := 256;", "r := WORD_TO_BOOL(a);", 1},
       {"BOOL", "a : INT := -3; b : UINT := 40000;", "r := a < 2 AND b > 3 AND NOT (a >= 0) AND b >= 40000 AND a <= -3;",
        1},
       {"BOOL", "a : INT := 4; b : INT := 4;", "r := a = b AND NOT (a <> b) AND a <= b;", 1},
@@ -115,6 +116,9 @@ inline std::vector<Result> plainResults() {
       {"INT", "a : INT := -8;", "r := SHR(a, 20);", -1},
       {"INT", "a : BOOL := TRUE;", "r := SEL(a, 3, 4) * 10 + SEL(NOT a, 3, 4);", 43},
       {"INT", "a : INT := 2;", "r := MUX(a, 5, 6, 7);", 7},
+      {"INT", "a : INT := 3;", "r := 9 + MUX(a, 5, 6, 7);", 9},
+      {"INT", "a : INT := -1;", "r := 9 + MUX(a, 5, 6, 7);", 9},
+      {"INT", "a : INT := 20; v : INT (0..10);", "v := a; r := v;", 20},
       // arrays
       {"INT", "a : ARRAY [2..4] OF INT := [5, 6, 7]; i : INT := 3;", "a[i] := a[i] + 10; r := a[3] + a[i + 1];", 23},
       {"BOOL", "a : ARRAY [0..3] OF BOOL; i : INT := 2;", "a[i] := TRUE; r := a[2] AND NOT a[1] AND a[i];", 1},

@@ -2,6 +2,7 @@
 // are taken where they are asked for. Expected values are counted by hand.
 #include "tests/graphical/plcopen_text.hpp"
 #include "tests/iec/iec_output.hpp"
+#include "tests/iec/iec_run.hpp"
 
 namespace rungproof {
 namespace {
@@ -82,15 +83,102 @@ TEST(VendorReadings, ATaskMayBeginInAnyScanOfItsInterval) {
   expectEach(text("first_scan implies One.n = 1"), readings, "PROVED", "PROVED", "PROVED");
 }
 
-TEST(VendorReadings, AddressesThatMayMeetAreNamed) {
-  const std::string text =
-      "//@ prove p: w = 5\nPROGRAM M\nVAR w AT %MW1 : INT; b AT %MB2 : USINT; END_VAR\nw := 5;\nb := 7;\nEND_PROGRAM\n";
-  const IecOutput meeting = proofOfIec(text);
-  EXPECT_TRUE(meeting.has("PROVED  p") && meeting.has("iec-address-unit")) << meeting.text;
-  const IecOutput apart = proofOfIec(
-      "//@ prove p: w = 5\nPROGRAM M\nVAR w AT %MW1 : INT; b AT %MB9 : USINT; END_VAR\nw := 5;\nb := "
-      "7;\nEND_PROGRAM\n");
+std::string meeting(const std::string& variables, const std::string& body, const std::string& property) {
+  return "//@ prove p: " + property + "\nPROGRAM M\nVAR " + variables + " END_VAR\n" + body + "\nEND_PROGRAM\n";
+}
+
+// %MW1 is %MB2 and %MB3 where words are counted, %MB1 and %MB2 where bytes are: its low or its high byte becomes 7.
+TEST(VendorReadings, AddressesMayMeet) {
+  const std::string variables = "w AT %MW1 : INT; b AT %MB2 : USINT;", body = "w := 5;\nb := 7;";
+  const auto verdict = [&](const std::string& property, const std::vector<std::string>& choices) {
+    std::vector<std::string> options;
+    for (const std::string& choice : choices) options.insert(options.end(), {"--choice", choice});
+    return proofOfIec(meeting(variables, body, property), options);
+  };
+  EXPECT_TRUE(verdict("w = 5", {}).has("VIOLATED  p"));
+  EXPECT_TRUE(verdict("w = 5 or w = 7 or w = 7 * 256 + 5", {}).has("PROVED  p"));
+  EXPECT_TRUE(verdict("w = 5", {"iec-address-unit=distinct"}).has("PROVED  p"));
+  EXPECT_TRUE(verdict("w = 7", {"iec-address-unit=size", "iec-byte-order=little"}).has("PROVED  p"));
+  EXPECT_TRUE(verdict("w = 7 * 256 + 5", {"iec-address-unit=size", "iec-byte-order=big"}).has("PROVED  p"));
+  EXPECT_TRUE(verdict("w = 7 * 256 + 5", {"iec-address-unit=byte", "iec-byte-order=little"}).has("PROVED  p"));
+  EXPECT_TRUE(verdict("w = 7", {"iec-address-unit=byte", "iec-byte-order=big"}).has("PROVED  p"));
+  const IecOutput apart = proofOfIec(meeting("w AT %MW1 : INT; b AT %MB9 : USINT;", "w := 5;\nb := 7;", "w = 5"));
   EXPECT_TRUE(apart.has("PROVED  p") && !apart.has("iec-address-unit")) << apart.text;
+}
+
+// Bits of a word, written as bits and as a word; inputs of both sizes are one input; a global variable counts too.
+TEST(VendorReadings, BitsAndInputsMayMeetWords) {
+  const std::vector<std::string> size = {"--choice", "iec-address-unit=size", "--choice", "iec-byte-order=little"};
+  // %MX2.1 is bit 1 of the low byte of %MW1.
+  EXPECT_TRUE(proofOfIec(meeting("w AT %MW1 : WORD; x AT %MX2.1 : BOOL;", "w := 0; x := TRUE;", "w = 2"), size)
+                  .has("PROVED  p"));
+  EXPECT_TRUE(proofOfIec(meeting("w AT %MW1 : WORD; x AT %MX2.1 : BOOL;", "x := FALSE; w := 16#0202;", "x"), size)
+                  .has("PROVED  p"));
+  EXPECT_TRUE(
+      proofOfIec(meeting("w AT %IW1 : INT; b AT %IB2 : USINT; q : BOOL;", "q := w = 5;", "q implies b = 5"), size)
+          .has("PROVED  p"));
+  EXPECT_TRUE(proofOfIec(meeting("w AT %IW1 : INT; b AT %IB2 : USINT; q : BOOL;", "q := w = 5;", "q implies b = 5"))
+                  .has("VIOLATED  p"));
+  const std::string global =
+      "//@ prove p: w = 5\nPROGRAM M\nVAR_EXTERNAL w : INT; END_VAR\nw := 5;\n%MB2 := 7;\nEND_PROGRAM\n"
+      "CONFIGURATION c\nVAR_GLOBAL w AT %MW1 : INT; END_VAR\nPROGRAM m1 : M;\nEND_CONFIGURATION\n";
+  EXPECT_TRUE(proofOfIec(global).has("VIOLATED  p"));
+  EXPECT_TRUE(proofOfIec(global, {"--choice", "iec=openplc"}).has("PROVED  p"));
+}
+
+// An array lies over the words behind its address for everybody: what happens to one that meets it is not modelled.
+TEST(VendorReadings, AnAddressWithinAnArrayIsNotCovered) {
+  for (const char* other : {"%MW3", "%MB7"}) {
+    const IecOutput output = proofOfIec(meeting(
+        "a AT %MW1 : ARRAY [0..9] OF INT; b AT " + std::string(other) + " : INT;", "a[2] := 5; b := 7;", "a[2] = 5"));
+    EXPECT_TRUE(output.has("NOT COVERED  p") && output.has("meets an array")) << output.text;
+  }
+}
+
+// 30 ms are reached in the fourth scan of 10 ms and exceeded in the fifth.
+TEST(VendorReadings, ATimerMayEndWhenItsTimeIsExceeded) {
+  const std::string text =
+      "PROGRAM M\nVAR i : BOOL; END_VAR VAR t : TON; f : TOF; p : TP; q, r, s : BOOL; END_VAR\n"
+      "t(IN := i, PT := T#30ms); f(IN := NOT i, PT := T#30ms); p(IN := i, PT := T#30ms);\n"
+      "q := t.Q; r := f.Q; s := p.Q;\nEND_PROGRAM\n";
+  const IecChoices later = {{"iec-timer-expiry", "after-preset"}};
+  const std::vector<double> on(6, 1);
+  EXPECT_EQ(IecRun(text).follow("q", {{"i", on}}), (Row{0, 0, 0, 1, 1, 1}));
+  EXPECT_EQ(IecRun(text, 10, later).follow("q", {{"i", on}}), (Row{0, 0, 0, 0, 1, 1}));
+  EXPECT_EQ(IecRun(text, 10, later).follow("t.ET", {{"i", on}}), (Row{0, 10, 20, 30, 30, 30}));
+  EXPECT_EQ(IecRun(text, 10, later).follow("s", {{"i", on}}), (Row{1, 1, 1, 1, 0, 0}));
+  // IN of the TOF falls in the second scan.
+  EXPECT_EQ(IecRun(text, 10, later).follow("r", {{"i", {0, 1, 1, 1, 1, 1}}}), (Row{1, 1, 1, 1, 1, 0}));
+}
+
+// PT is 20 ms in three scans and 50 ms behind that: the timer goes on from 30 ms to 50 ms, or stays as it has ended.
+TEST(VendorReadings, ATimerMayGoOnWithALongerPreset) {
+  const std::string text =
+      "PROGRAM M\nVAR i, l : BOOL; END_VAR VAR t : TON; f : TOF; p : TP; pt : TIME; q, r, s : BOOL; END_VAR\n"
+      "IF l THEN pt := T#50ms; ELSE pt := T#20ms; END_IF;\n"
+      "t(IN := i, PT := pt); f(IN := NOT i, PT := pt); p(IN := i, PT := pt);\nq := t.Q; r := f.Q; s := p.Q;\n"
+      "END_PROGRAM\n";
+  const IecChoices again = {{"iec-timer-done", "re-evaluated"}};
+  const std::vector<std::pair<std::string, Row>> inputs = {{"i", {1, 1, 1, 1, 1, 1, 1}}, {"l", {0, 0, 0, 1, 1, 1, 1}}};
+  EXPECT_EQ(IecRun(text).follow("q", inputs), (Row{0, 0, 1, 1, 1, 1, 1}));
+  EXPECT_EQ(IecRun(text, 10, again).follow("q", inputs), (Row{0, 0, 1, 0, 0, 1, 1}));
+  EXPECT_EQ(IecRun(text, 10, again).follow("t.ET", inputs), (Row{0, 10, 20, 30, 40, 50, 50}));
+  EXPECT_EQ(IecRun(text).follow("s", inputs), (Row{1, 1, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(IecRun(text, 10, again).follow("s", inputs), (Row{1, 1, 0, 1, 1, 0, 0}));
+  const std::vector<std::pair<std::string, Row>> falling = {{"i", {0, 1, 1, 1, 1, 1, 1, 1}},
+                                                            {"l", {0, 0, 0, 0, 1, 1, 1, 1}}};
+  EXPECT_EQ(IecRun(text).follow("r", falling), (Row{1, 1, 1, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(IecRun(text, 10, again).follow("r", falling), (Row{1, 1, 1, 0, 1, 1, 0, 0}));
+}
+
+// A timer whose PT is a constant everywhere rests on no reading of what becomes of a longer one.
+TEST(VendorReadings, AConstantPresetIsNoReading) {
+  const std::string text =
+      "//@ prove p: t.Q implies x\nPROGRAM M\nVAR CONSTANT wait : TIME := T#1s; END_VAR\n"
+      "VAR x AT %IX0.0 : BOOL; t : TON; END_VAR\nt(IN := x, PT := wait);\nEND_PROGRAM\n";
+  const IecOutput output = proofOfIec(text);
+  EXPECT_TRUE(output.has("PROVED  p") && !output.has("iec-timer-done")) << output.text;
+  EXPECT_TRUE(output.has("iec-timer-expiry") && output.has("iec-timer-clock")) << output.text;
 }
 
 TEST(VendorReadings, AFallingEdgeInTheFirstCall) {

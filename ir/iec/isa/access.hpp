@@ -66,6 +66,15 @@ struct Index {
   }
 };
 
+/// Ends the scan where what is popped is TRUE: a value lies outside of the range that is declared for it.
+struct RangeFault {
+  static constexpr Desc desc = described("FAULT", "end the scan for a value outside its range");
+  template <class D>
+  static void run(IecArgs<D>& a) {
+    a.m.stop(Hazard::IecRange, a.popBool());
+  }
+};
+
 /// The elements that a computed index may reach: operand 0 is the first one, then the bytes of all, the bytes from one
 /// to the next, and the width of a value. The index has been checked.
 template <class D>
@@ -142,6 +151,6 @@ struct AnyBytes {
   }
 };
 
-using AccessGroup = Group<LoadBit, Load, StoreBit, Store, Constant, Index, LoadElement, StoreElement, AnyBit, AnyBytes>;
+using AccessGroup = Group<LoadBit, Load, StoreBit, Store, Constant, Index, RangeFault, LoadElement, StoreElement, AnyBit, AnyBytes>;
 
 }  // namespace rungproof::isa::iec
