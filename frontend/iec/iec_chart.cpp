@@ -323,6 +323,9 @@ class ChartWriter {
       writeTransition(transition, fire, std::move(enabled), made);
     }
     for (const ChartStep& step : chart_.steps) moveToken(step, fires, made);
+    if (!blockCalls_.empty())
+      made.push_back(ifOf(readingOf("iec-condition-blocks", "each-scan", chart_.span), std::move(blockCalls_),
+                          {chart_.span.file, chart_.span.offset, 0}));
     return made;
   }
 
@@ -351,18 +354,56 @@ class ChartWriter {
         const Span span = condition->span;
         transition.body.push_back(assignmentOf(pathOf({transition.result}, span), std::move(condition), span));
       }
-      ActionSyntax computed;
-      computed.name = fmt::format("(condition {})", block_.actions.size() + 1);
-      computed.span = transition.span;
-      computed.isCondition = true;
-      computed.body = std::move(transition.body);
-      Statements call;
-      call.push_back(callStatementOf(callOf({computed.name}, transition.span)));
-      block_.actions.push_back(std::move(computed));
+      Statements call = callsBlocks(transition.body) ? conditionWithBlocks(transition)
+                                                     : conditionCall(transition, std::move(transition.body), false);
       made.push_back(ifOf(copyOf(*enabled), std::move(call), transition.span));
       condition = pathOf({transition.result}, transition.span);
     }
     made.push_back(assignmentOf(fires(), andOf(std::move(enabled), std::move(condition)), transition.span));
+  }
+
+  /// Statements become a routine; gives its call.
+  Statements conditionCall(const ChartTransition& transition, Statements body, bool mayCall) {
+    ActionSyntax computed;
+    computed.name = fmt::format("(condition {})", block_.actions.size() + 1);
+    computed.span = transition.span;
+    computed.isCondition = true;
+    computed.mayCall = mayCall;
+    computed.body = std::move(body);
+    Statements call;
+    call.push_back(callStatementOf(callOf({computed.name}, transition.span)));
+    block_.actions.push_back(std::move(computed));
+    return call;
+  }
+
+  /// Whether a drawing calls function blocks and is nothing but calls and assignments.
+  static bool callsBlocks(const Statements& body) {
+    const auto has = [&](StatementKind kind) { return std::ranges::count(body, kind, &Statement::kind); };
+    const auto calls = has(StatementKind::Call);
+    return calls > 0 && calls + has(StatementKind::Assign) == static_cast<std::ptrdiff_t>(body.size());
+  }
+
+  /// Function blocks of a condition are called where it is computed, while its steps are active; or they are called
+  /// behind the transitions of every scan, and the condition takes what they gave last.
+  Statements conditionWithBlocks(ChartTransition& transition) {
+    Statements values, calls;
+    for (const Statement& one : transition.body) {
+      if (one.kind != StatementKind::Call) values.push_back(copyOf(one));
+      calls.push_back(copyOf(one));
+    }
+    const std::string result = foldedName(transition.result);
+    std::erase_if(calls, [&](const Statement& one) {
+      return one.kind == StatementKind::Assign && one.target->parts.size() == 1 &&
+             foldedName(one.target->parts[0].name) == result;
+    });
+    Statement choice = ifOf(readingOf("iec-condition-blocks", "each-scan", transition.span),
+                            conditionCall(transition, std::move(values), true), transition.span);
+    choice.hasElse = true;
+    choice.otherwise = conditionCall(transition, std::move(transition.body), true);
+    for (Statement& call : conditionCall(transition, std::move(calls), true)) blockCalls_.push_back(std::move(call));
+    Statements made;
+    made.push_back(std::move(choice));
+    return made;
   }
 
   /// What is current behind the last line of a list.
@@ -407,6 +448,7 @@ class ChartWriter {
   ChartSyntax& chart_;
   BlockSyntax& block_;
   SyntaxSink& sink_;
+  Statements blockCalls_;  ///< of conditions, by the reading that calls function blocks in every scan
 };
 
 }  // namespace

@@ -35,6 +35,15 @@ Argument copyOf(const Argument& argument) {
   return made;
 }
 
+Statement copyOf(const Statement& statement) {
+  Statement made;
+  made.kind = statement.kind;
+  made.span = statement.span;
+  if (statement.target != nullptr) made.target = copyOf(*statement.target);
+  if (statement.value != nullptr) made.value = copyOf(*statement.value);
+  return made;
+}
+
 ExprPtr pathOf(std::initializer_list<std::string_view> names, Span span) {
   ExprPtr made = std::make_unique<Expr>();
   made->kind = ExprKind::Path;

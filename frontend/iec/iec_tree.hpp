@@ -9,6 +9,8 @@ namespace rungproof::iec {
 
 ExprPtr copyOf(const Expr& expr);
 Argument copyOf(const Argument& argument);
+/// Of an assignment or a call.
+Statement copyOf(const Statement& statement);
 /// A variable, or a part of one: `a.b`.
 ExprPtr pathOf(std::initializer_list<std::string_view> names, Span span);
 /// TRUE, FALSE, T#5s as `T` and `5s`.

@@ -49,7 +49,7 @@ constexpr WrongChart wrongCharts[] = {
      "two actions are named go", 5, 1},
     {"INITIAL_STEP A: go; END_STEP\nACTION go: go(); END_ACTION", "the action go calls itself", 4, 12},
     {"INITIAL_STEP A: END_STEP\nTRANSITION FROM A TO A :\nCAL t(IN := x)\nLD t.Q\nEND_TRANSITION",
-     "a function block in the condition of a transition is not modelled", 5, 5},
+     "a function block in such a condition of a transition is not modelled", 5, 5},
 };
 
 std::string chartProgram(const std::string& chart, const std::string& properties = "") {

@@ -174,7 +174,7 @@ TEST(VendorReadings, ATimerMayGoOnWithALongerPreset) {
 // A timer whose PT is a constant everywhere rests on no reading of what becomes of a longer one.
 TEST(VendorReadings, AConstantPresetIsNoReading) {
   const std::string text =
-      "//@ prove p: t.Q implies x\nPROGRAM M\nVAR CONSTANT wait : TIME := T#1s; END_VAR\n"
+      "//@ prove p: t.ET >= 1000 implies t.Q\nPROGRAM M\nVAR CONSTANT wait : TIME := T#1s; END_VAR\n"
       "VAR x AT %IX0.0 : BOOL; t : TON; END_VAR\nt(IN := x, PT := wait);\nEND_PROGRAM\n";
   const IecOutput output = proofOfIec(text);
   EXPECT_TRUE(output.has("PROVED  p") && !output.has("iec-timer-done")) << output.text;
