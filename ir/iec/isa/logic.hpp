@@ -89,7 +89,7 @@ struct Select {
   }
 };
 
-/// TRUE where an open point is read as value VALUE of its row (ir/machine/choices.hpp).
+/// TRUE where an open point is read as value VALUE of its row (ir/machine/choice_table.hpp).
 struct Reads {
   static constexpr Desc desc = withOperands(described("READING", "whether a reading of an open point is in force"),
                                             {part("CHOICE"), part("VALUE")});
