@@ -61,6 +61,7 @@ enum class Hazard : std::uint8_t {
   S7Stop,
   S7ErrorTwice,
   S7NotLoaded,
+  SclIndex,
   IecDivideByZero,
   IecArrayRange,
   IecEndless,
@@ -160,6 +161,8 @@ inline constexpr std::array hazardTable = {
                "synchronous error in the block that takes such errors", "002:1278"},
     HazardInfo{Hazard::S7NotLoaded, "STOP", HazardClass::Fatal, "an event comes whose organization block is missing",
                "002:1278"},
+    // The CPU does not look: what it reads or writes then lies beside the array.
+    HazardInfo{Hazard::SclIndex, "", HazardClass::StatusOnly, "index outside the bounds of its array", "002:2068"},
     // IEC 61131-3: what the standard calls errors, by the reading that the scan ends with them.
     HazardInfo{Hazard::IecDivideByZero, "ERROR", HazardClass::Fatal, "division by zero", "IEC 61131-3"},
     HazardInfo{Hazard::IecArrayRange, "ERROR", HazardClass::Fatal, "index outside its array", "IEC 61131-3"},

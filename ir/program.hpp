@@ -78,6 +78,8 @@ struct Network {
   /// Of a network that is not complete: all that it may write, where that is known; otherwise it may write anything.
   std::optional<Operands> mayWrite;
   Form form = Form::Stl;
+  /// S7-300/400: written in SCL. The instructions are what the text means, and it alone is shown.
+  bool isStructured = false;
   bool complete = true;  ///< false: a line of it could not be read; its findings stand in Program::findings
 };
 

@@ -25,6 +25,16 @@ bool startsName(char c) {
 bool isDigitOf(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool isNamePart(char c) { return startsName(c) || isDigitOf(c); }
 
+/// Areas of the S7-300/400 in both sets of mnemonics, which a blank may part from the number in SCL.
+bool isStep7Area(std::string_view word) {
+  static constexpr std::string_view areas[] = {"I",   "IB",  "IW",  "ID",  "IX",  "E",   "EB",  "EW",  "ED",  "EX",
+                                               "Q",   "QB",  "QW",  "QD",  "QX",  "A",   "AB",  "AW",  "AD",  "AX",
+                                               "M",   "MB",  "MW",  "MD",  "MX",  "PIB", "PIW", "PID", "PEB", "PEW",
+                                               "PED", "PQB", "PQW", "PQD", "PAB", "PAW", "PAD", "DBX", "DBB", "DBW",
+                                               "DBD", "T",   "C",   "Z",   "DB",  "FB",  "FC",  "SFC", "SFB"};
+  return std::ranges::find(areas, foldedName(word)) != std::end(areas);
+}
+
 class IecLexer {
  public:
   IecLexer(const SourceText& source, SyntaxSink& sink, std::vector<Directive>& directives)
@@ -59,11 +69,25 @@ class IecLexer {
         nested("/*", "*/");
       } else if (text_[at_] == '{' && isPragma()) {
         at_ = endOfBraces();
+      } else if (source_.isScl && isRegion()) {
+        at_ = std::min(text_.find('\n', at_), text_.size());
       } else {
         return;
       }
     }
   }
+  /// REGION name, END_REGION: alone on their lines, for the reader of the text only.
+  bool isRegion() const {
+    if (at_ > 0 && isNamePart(text_[at_ - 1])) return false;
+    std::size_t end = at_;
+    while (end < text_.size() && isNamePart(text_[end])) ++end;
+    const std::string word = foldedName(text_.substr(at_, end - at_));
+    if (word == "END_REGION") return true;
+    const std::size_t next = std::min(text_.find_first_not_of(" \t", end), text_.size());
+    constexpr std::string_view others = ":=.[(;,)";
+    return word == "REGION" && next < text_.size() && others.find(text_[next]) == std::string_view::npos;
+  }
+
   /// Braces hold directives to a compiler; those of MatIEC and Beremiz hold code in C.
   bool isPragma() const {
     static constexpr std::string_view words[] = {"attribute", "external", "region",  "endregion", "warning", "error",
@@ -104,7 +128,7 @@ class IecLexer {
       }
     }
     if (depth > 0)
-      sink_.report(Syntax::IecText,
+      sink_.report(source_.mistake(),
                    source_.span(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(first) + 2),
                    "the comment has no end");
     std::string_view inner = text_.substr(first + 2, at_ - first - 2);
@@ -132,6 +156,7 @@ class IecLexer {
   IecToken next() {
     const std::size_t first = at_;
     const char c = text_[at_];
+    if (source_.isScl && (c == '"' || c == '#')) return sclName();
     if (c == '\'' || c == '"') return quotation(c);
     if (c == '%') {
       ++at_;
@@ -159,6 +184,7 @@ class IecLexer {
   IecToken word() {
     const std::size_t first = at_;
     while (at_ < text_.size() && isNamePart(text_[at_])) ++at_;
+    if (source_.isScl) blankOfAddress(first);
     if (at_ >= text_.size() || text_[at_] != '#') return token(TokenKind::Word, first);
     const std::string_view prefix = text_.substr(first, at_ - first);
     ++at_;
@@ -171,6 +197,25 @@ class IecLexer {
     made.prefix = prefix;
     made.begin = static_cast<std::uint32_t>(first);
     return made;
+  }
+  /// DBX 0.0, FB 1: the number belongs to the word.
+  void blankOfAddress(std::size_t first) {
+    const std::size_t next = std::min(text_.find_first_not_of(" \t", at_), text_.size());
+    if (next == at_ || next >= text_.size() || !isDigitOf(text_[next])) return;
+    if (!isStep7Area(text_.substr(first, at_ - first))) return;
+    at_ = next;
+    while (at_ < text_.size() && isDigitOf(text_[at_])) ++at_;
+  }
+  /// #name, #"name", "name": a word with its marks.
+  IecToken sclName() {
+    const std::size_t first = at_;
+    if (text_[at_] == '#') ++at_;
+    if (at_ < text_.size() && text_[at_] == '"') {
+      quotation('"');
+    } else {
+      while (at_ < text_.size() && isNamePart(text_[at_])) ++at_;
+    }
+    return token(TokenKind::Word, first);
   }
   /// - and : within dates and times of day.
   bool isDateMark() const {
@@ -213,7 +258,7 @@ class IecLexer {
     if (at_ < text_.size() && text_[at_] == mark) {
       ++at_;
     } else {
-      sink_.report(Syntax::IecText,
+      sink_.report(source_.mistake(),
                    source_.span(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(first) + 1),
                    "the text has no closing mark");
     }

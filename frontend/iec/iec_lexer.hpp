@@ -26,7 +26,11 @@ struct SourceText {
   std::uint32_t file = 0;
   std::uint32_t offset = 0;
   const std::vector<std::uint32_t>* places = nullptr;
+  /// SCL of the S7-300/400: #local, "symbol", addresses with a blank (DBX 0.0), REGION, DIV, GOTO and labels.
+  bool isScl = false;
 
+  /// What a mistake in the text is reported as.
+  Syntax mistake() const { return isScl ? Syntax::SclText : Syntax::IecText; }
   Span span(std::uint32_t begin, std::uint32_t end) const;
 };
 

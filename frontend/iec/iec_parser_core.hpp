@@ -54,7 +54,7 @@ class ParserCore {
     throw Unreadable{};
   }
   void report(std::string message, const IecToken& at) {
-    sink_.report(Syntax::IecText, source_.span(at.begin, std::max(at.end, at.begin)), std::move(message));
+    sink_.report(source_.mistake(), source_.span(at.begin, std::max(at.end, at.begin)), std::move(message));
   }
   Span spanFrom(std::uint32_t begin) const {
     const std::uint32_t end = at_ > 0 ? tokens_[at_ - 1].end : begin;

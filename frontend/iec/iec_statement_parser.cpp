@@ -58,6 +58,7 @@ bool StatementParser::endsStatements() const {
 /// `: =` with a blank is what its writer means, and no compiler takes it.
 void StatementParser::expectAssignment() {
   if (!is(":") || peek(1).text != "=") return expect(":=");
+  if (source_.isScl) fail("':=' is written without a blank");
   sink_.report(Syntax::IecSpelling, source_.span(peek().begin, peek(1).end), "':=' is written without a blank");
   take();
   take();
@@ -95,7 +96,8 @@ Statement StatementParser::statement() {
     Statement made = plain();
     made.span = spanFrom(begin);
     // The last word of the one, and the brace of code in C, end them.
-    const bool isClosed = made.kind == StatementKind::Try || made.kind == StatementKind::Unread;
+    const bool isClosed = made.kind == StatementKind::Try || made.kind == StatementKind::Unread ||
+                          (source_.isScl && made.kind == StatementKind::Label);
     if (!accept(";") && !isClosed && !endsStatements()) fail(fmt::format("';' is needed here{}", found()));
     return made;
   } catch (const Unreadable&) {
@@ -142,6 +144,13 @@ Statement StatementParser::plain() {
     made.kind = StatementKind::Continue;
   } else if (accept("RETURN")) {
     made.kind = StatementKind::Return;
+  } else if (source_.isScl && accept("GOTO")) {
+    made.kind = StatementKind::Jump;
+    made.target = path();
+  } else if (source_.isScl && peek().kind == TokenKind::Word && peek(1).text == ":" && peek(2).text != "=") {
+    made.kind = StatementKind::Label;
+    made.target = path();
+    take();
   } else {
     if (peek().text.starts_with("{")) {
       sink_.report(Syntax::IecNotModelled, source_.span(peek().begin, peek().end), "code in C is not modelled");
@@ -155,7 +164,8 @@ Statement StatementParser::plain() {
     made.target = path();
     if (made.target->kind == ExprKind::Call) {
       made.kind = StatementKind::Call;
-    } else if ((is("S") || is("R")) && peek(1).text == "=") {  // S= and R=: set and reset where it is TRUE
+    } else if (!source_.isScl && (is("S") || is("R")) &&
+               peek(1).text == "=") {  // S= and R=: set and reset where it is TRUE
       const bool sets = is("S");
       take();
       take();
@@ -276,6 +286,8 @@ ExprPtr StatementParser::binary(int level) {
     for (const std::string_view op : levels[static_cast<std::size_t>(level)]) {
       if (!op.empty() && is(op)) found = op;
     }
+    constexpr int productLevel = 6;
+    if (source_.isScl && level == productLevel && is("DIV")) found = "/";
     if (found.empty()) return left;
     constexpr int mostOperators = 2000;
     if (++operators_ > mostOperators)

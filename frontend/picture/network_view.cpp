@@ -217,7 +217,7 @@ NetworkView networkView(const Program& program, const Pou& pou, const Network& n
     view.notes.push_back({finding->severity, fmt::format("{}: {}", finding->rule, finding->message)});
   view.notExecuted =
       options.recorder != nullptr && !network.instructions.empty() && !wasExecuted(network, *options.recorder);
-  const bool isText = formOf(program.target) == StatementForm::Expressions;
+  const bool isText = formOf(program.target) == StatementForm::Expressions || network.isStructured;
   if (isText && (network.drawing == nullptr || options.form == Form::Stl)) {
     view.statements = sourceLines(program, network);
     return view;

@@ -1,4 +1,4 @@
-// Reader of sources in SCL for the S7-300/400: interfaces, data blocks and types; bodies are said to be not covered.
+// Reader of sources in SCL for the S7-300/400: blocks, data blocks and types.
 #include "frontend/step7/scl_source.hpp"
 
 #include "frontend/files/file_reader.hpp"

@@ -1,5 +1,5 @@
 // Declarations are read by the reader of sources from a copy of the text in which all else is blank, so that places
-// stay what they are; then the networks of each block.
+// stay what they are; then the networks of each block, those in SCL as a syntax tree.
 #include "frontend/simaticsd/sd_document.hpp"
 
 #include <fmt/format.h>
@@ -9,6 +9,7 @@
 
 #include "frontend/flgnet/circuit_statements.hpp"
 #include "frontend/simaticsd/sd_circuit.hpp"
+#include "frontend/step7/scl_body.hpp"
 #include "frontend/step7/source_parser.hpp"
 #include "frontend/stl/directive.hpp"
 #include "frontend/stl/stl_lexer.hpp"
@@ -166,6 +167,14 @@ class DocumentReader {
     sink_.setPlace(block.name.kind ? toString(block.name) : block.name.symbol, network.number);
     const std::string_view language = valueOf(piece.attributes, "S7_Language");
     const bool isFbd = equalsIgnoringCase(language, "FBD");
+    if (equalsIgnoringCase(language, "SCL")) {
+      const std::size_t last = file_.text().substr(0, piece.end).rfind("END_NETWORK");
+      const std::uint32_t end =
+          last == std::string_view::npos || last < piece.body ? piece.end : static_cast<std::uint32_t>(last);
+      const step7::SclPlaces places{piece.body, end, {}};
+      network.scl = step7::readSclBody(file_.text(), places, sink_, block, network);
+      return;
+    }
     if (!isFbd && !equalsIgnoringCase(language, "LAD") && !language.empty()) {
       sink_.report(Syntax::BodyNotCovered, network.span,
                    fmt::format("the network is written in {}, which is not covered", excerpt(language)));

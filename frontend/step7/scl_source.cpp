@@ -1,4 +1,4 @@
-// Bodies are blanked in a copy, so that places stay what they are.
+// Declarations are read from a copy in which the bodies are blank, so that places stay what they are; then the bodies.
 #include "frontend/step7/scl_source.hpp"
 
 #include <fmt/format.h>
@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "frontend/step7/cursor.hpp"
+#include "frontend/step7/scl_body.hpp"
 #include "frontend/step7/source_keyword.hpp"
 #include "frontend/step7/source_parser.hpp"
 #include "frontend/step7/step7_likeness.hpp"
@@ -16,11 +17,10 @@ namespace rungproof::step7 {
 namespace {
 
 /// From behind BEGIN, or behind the last section, to the end of the block.
-struct SclBody {
+struct SclBlock {
   std::uint32_t block = 0;  ///< where its heading begins
-  std::uint32_t begin = 0, end = 0;
+  SclPlaces places;
   bool hasBegin = false;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> sections;  ///< constants and labels, which only bodies use
 };
 
 bool endsCode(std::string_view word) {
@@ -31,11 +31,11 @@ bool headsCode(std::string_view word) {
   return equalsWord(word, "FUNCTION") || equalsWord(word, "FUNCTION_BLOCK") || equalsWord(word, "ORGANIZATION_BLOCK");
 }
 
-class SclBodies {
+class SclBlocks {
  public:
-  SclBodies(std::string_view text, std::uint32_t file) : cursor_(text, file) {}
+  SclBlocks(std::string_view text, std::uint32_t file) : cursor_(text, file) {}
 
-  std::vector<SclBody> find() {
+  std::vector<SclBlock> find() {
     while (next()) {
       if (headsCode(word_)) block(static_cast<std::uint32_t>(cursor_.at() - word_.size()));
     }
@@ -62,31 +62,31 @@ class SclBodies {
   }
 
   void block(std::uint32_t heading) {
-    SclBody body;
+    SclBlock body;
     body.block = heading;
     while (next()) {
       if (endsCode(word_)) {
-        body.end = static_cast<std::uint32_t>(cursor_.at() - word_.size());
-        if (body.begin == 0) body.begin = body.end;
+        body.places.end = static_cast<std::uint32_t>(cursor_.at() - word_.size());
+        if (body.places.begin == 0) body.places.begin = body.places.end;
         bodies_.push_back(body);
         return;
       }
       const auto at = static_cast<std::uint32_t>(cursor_.at() - word_.size());
       if (!body.hasBegin && (equalsWord(word_, "CONST") || equalsWord(word_, "LABEL")))
-        body.sections.emplace_back(at, at);
-      if (!body.sections.empty() && (equalsWord(word_, "END_CONST") || equalsWord(word_, "END_LABEL")))
-        body.sections.back().second = cursor_.at();
+        body.places.sections.emplace_back(at, at);
+      if (!body.places.sections.empty() && (equalsWord(word_, "END_CONST") || equalsWord(word_, "END_LABEL")))
+        body.places.sections.back().second = cursor_.at();
       const bool isBegin = equalsWord(word_, "BEGIN");
       const bool isSection =
           equalsWord(word_, "END_VAR") || equalsWord(word_, "END_CONST") || equalsWord(word_, "END_LABEL");
-      if (!body.hasBegin && (isBegin || isSection)) body.begin = cursor_.at();
+      if (!body.hasBegin && (isBegin || isSection)) body.places.begin = cursor_.at();
       body.hasBegin = body.hasBegin || isBegin;
     }
   }
 
   Cursor cursor_;
   std::string_view word_;
-  std::vector<SclBody> bodies_;
+  std::vector<SclBlock> bodies_;
 };
 
 void blankPart(std::string& text, std::uint32_t begin, std::uint32_t end) {
@@ -101,35 +101,36 @@ bool looksLikeScl(std::string_view text, bool isNamed) {
   // Data blocks and types alone, too.
   if (isNamed && (likeness.hasHeading || text.find("END_DATA_BLOCK") != std::string_view::npos)) return true;
   if (!likeness.isStructuredText()) return false;
-  const std::vector<SclBody> bodies = SclBodies(text, 0).find();
-  return !bodies.empty() && (isNamed || std::ranges::any_of(bodies, &SclBody::hasBegin));
+  const std::vector<SclBlock> bodies = SclBlocks(text, 0).find();
+  return !bodies.empty() && (isNamed || std::ranges::any_of(bodies, &SclBlock::hasBegin));
 }
 
 SourceSyntax readSclSource(const SourceFile& file, SyntaxSink& sink) {
-  const std::vector<SclBody> bodies = SclBodies(file.text(), sink.file()).find();
+  const std::vector<SclBlock> bodies = SclBlocks(file.text(), sink.file()).find();
   std::string declared(file.text());
-  for (const SclBody& body : bodies) {
-    blankPart(declared, body.begin, body.end);
-    for (const auto& [begin, end] : body.sections) blankPart(declared, begin, end);
+  for (const SclBlock& body : bodies) {
+    blankPart(declared, body.places.begin, body.places.end);
+    for (const auto& [begin, end] : body.places.sections) blankPart(declared, begin, end);
   }
   SourceSyntax source = readSource(declared, {MnemonicSet::International, TextEncoding::Utf8}, sink);
   for (BlockSyntax& block : source.blocks) {
-    const auto body = std::ranges::find(bodies, block.heading.offset, &SclBody::block);
+    const auto body = std::ranges::find(bodies, block.heading.offset, &SclBlock::block);
     if (body == bodies.end()) continue;
     block.hasBody = true;
     block.networks.clear();
     NetworkSyntax& network = block.networks.emplace_back();
     network.number = 1;
-    network.span = {sink.file(), body->begin, body->end - body->begin};
-    Cursor cursor(file.text().substr(0, body->end), sink.file());
-    cursor.to(body->begin);
+    const SclPlaces& places = body->places;
+    network.span = {sink.file(), places.begin, places.end - places.begin};
+    Cursor cursor(file.text().substr(0, places.end), sink.file());
+    cursor.to(places.begin);
     cursor.skipSpace();
-    if (cursor.atEnd()) continue;  // nothing stands there
-    network.isUnread = true;
-    const std::string name = block.name.kind ? toString(block.name) : block.name.symbol;
-    sink.setPlace(name, 1);
-    sink.report(Syntax::BodyNotCovered, block.heading, fmt::format("{} is written in SCL, which is not covered", name));
+    const bool isEmpty = cursor.atEnd();
+    sink.setPlace(block.name.kind ? toString(block.name) : block.name.symbol, 1);
+    network.scl = readSclBody(file.text(), places, sink, block, network);
     sink.setPlace({}, 0);
+    if (isEmpty) network.scl = nullptr;
+    block.isScl = !isEmpty;
   }
   return source;
 }

@@ -1,5 +1,5 @@
-// Sources in SCL: data blocks, types and the interfaces of code blocks are read; bodies are not, each with a finding at
-// its block. Tested by tests/step7/scl_source_test.cpp.
+// Sources in SCL: data blocks, types, the interfaces of code blocks, and their bodies as syntax trees.
+// Tested by tests/step7/scl_source_test.cpp.
 #pragma once
 
 #include "frontend/step7/syntax.hpp"

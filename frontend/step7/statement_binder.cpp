@@ -8,6 +8,7 @@
 
 #include "ir/block_map.hpp"
 #include "ir/check.hpp"
+#include "ir/s7300/index_check.hpp"
 #include "ir/s7300/isa.hpp"
 
 namespace rungproof::step7 {
@@ -21,7 +22,8 @@ constexpr std::array<std::string_view, 10> conditions = {"BR",  "OV", "OS", "UO"
                                                          "<>0", ">0", "<0", ">=0", "<=0"};
 
 const Desc* descOf(std::string_view mnemonic, MnemonicSet set) {
-  if (mnemonic == "OR" || mnemonic == "LABEL") return nullptr;  // names of the table that nobody writes
+  if (mnemonic == "OR" || mnemonic == "LABEL" || mnemonic == indexCheck)
+    return nullptr;  // names of the table that nobody writes
   return set == MnemonicSet::German ? s7300Instructions().namedGerman(mnemonic) : s7300Instructions().named(mnemonic);
 }
 
@@ -117,6 +119,7 @@ void StatementBinder::bind(const NetworkSyntax& syntax, MnemonicSet set, BlockSc
   set_ = set;
   scope_ = &scope;
   network_ = &network;
+  isStructured_ = syntax.isStructured;
   bool isBounded = true;
   for (const Statement& each : syntax.statements) {
     isKept_ = false;
@@ -154,6 +157,12 @@ bool StatementBinder::statement(const Statement& statement) {
   }
   const std::string& mnemonic = statement.mnemonic.text;
   if (mnemonic.empty()) return true;
+  if (mnemonic == indexCheck && isStructured_) {
+    append(required(indexCheck), statement,
+           {constant(statement.operand.constant.value, ConstantForm::Typed),
+            constant(statement.instance.constant.value, ConstantForm::Typed)});
+    return true;
+  }
   const Desc* plain = descOf(mnemonic, set_);
   if (plain == nullptr && !hasVariants(mnemonic) && mnemonic != "NOP") {
     const bool isOfOtherSet =

@@ -60,7 +60,8 @@ class StatementBinder {
   MnemonicSet set_ = MnemonicSet::International;
   BlockScope* scope_ = nullptr;
   Network* network_ = nullptr;
-  bool isKept_ = false;  ///< the statement that could not be bound stands among the instructions
+  bool isStructured_ = false;  ///< the statements were made of SCL
+  bool isKept_ = false;        ///< the statement that could not be bound stands among the instructions
 };
 
 }  // namespace rungproof::step7

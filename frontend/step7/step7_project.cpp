@@ -8,6 +8,7 @@
 
 #include "frontend/step7/library_source.hpp"
 #include "frontend/step7/mnemonic_vote.hpp"
+#include "frontend/step7/scl_lowering.hpp"
 #include "frontend/step7/source_check.hpp"
 #include "frontend/step7/source_parser.hpp"
 #include "frontend/step7/statement_binder.hpp"
@@ -281,15 +282,39 @@ class ProjectBuilder {
 
   // Code ------------------------------------------------------------------------------------------------------------
 
+  /// The block with statements in place of what is written in SCL.
+  const BlockSyntax& withStatements(const BlockSyntax& written, BlockScope& scope, BlockSyntax& lowered) {
+    const auto isScl = [](const NetworkSyntax& network) { return network.scl != nullptr; };
+    if (std::ranges::none_of(written.networks, isScl)) return written;
+    lowered = written;
+    SclLowering lowering(*catalogue_, *types_, reports_, scope);
+    if (written.isScl) {
+      lowered.networks = lowering.lower(*written.networks[0].scl, written.networks[0]);
+      for (DirectiveSyntax& directive : lowered.directives) {
+        for (const NetworkSyntax& network : lowered.networks) {
+          if (directive.network != 0 && directive.span.offset >= network.span.offset)
+            directive.network = network.number;
+        }
+      }
+      return lowered;
+    }
+    for (NetworkSyntax& network : lowered.networks) {
+      if (isScl(network)) lowering.lowerInto(*network.scl, network);
+    }
+    return lowered;
+  }
+
   void codeBlock(const CatalogueEntry& entry, StatementBinder& statements) {
-    const BlockSyntax& syntax = *entry.syntax;
+    const BlockSyntax& written = *entry.syntax;
     const bool isInstance = entry.key.kind == BlockKind::Fb;
     BlockScope scope;
     scope.key = entry.key;
     scope.name = entry.name;
-    scope.parameters = isInstance ? types_->structure(entry.key) : types_->parameters(syntax);
-    scope.temporary = types_->temporary(syntax);
-    scope.constants = types_->constants(syntax);
+    scope.parameters = isInstance ? types_->structure(entry.key) : types_->parameters(written);
+    scope.temporary = types_->temporary(written);
+    scope.constants = types_->constants(written);
+    BlockSyntax lowered;
+    const BlockSyntax& syntax = withStatements(written, scope, lowered);
     Pou pou;
     pou.type = blockTypeOf(irNumber(entry.key));
     pou.kind = entry.key.kind != BlockKind::Ob ? PouKind::Subroutine
@@ -314,13 +339,14 @@ class ProjectBuilder {
     statements.findLabels(syntax, scope);
     const MnemonicSet set = sets_[syntax.heading.file];
     // Where a type is not known, nobody knows where what is declared behind it lies.
-    const bool isInDoubt = types_->doubtOf(syntax).type || (isInstance && types_->doubtOf(entry.key).type);
+    const bool isInDoubt = types_->doubtOf(written).type || (isInstance && types_->doubtOf(entry.key).type);
     for (const NetworkSyntax& each : syntax.networks) {
       Network& network = pou.networks.emplace_back();
       network.number = each.number;
       network.title = each.title;
       network.span = each.span;
       network.form = each.form;
+      network.isStructured = each.isStructured;
       for (const Remark& remark : each.remarks) network.comments.push_back({remark.span});
       statements.bind(each, set, scope, network);
       if (each.isUnread) network.mayWrite.reset();

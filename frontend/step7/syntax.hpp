@@ -98,6 +98,8 @@ struct Remark {
   Span span;  ///< with its marks
 };
 
+struct SclBody;  // scl_body.hpp
+
 struct NetworkSyntax {
   int number = 0;  ///< counted from 1
   std::string title;
@@ -105,7 +107,10 @@ struct NetworkSyntax {
   std::vector<Statement> statements;
   Span span;
   Form form = Form::Stl;
-  bool isUnread = false;  ///< some of it is not among the statements, and has a finding
+  bool isUnread = false;      ///< some of it is not among the statements, and has a finding
+  bool isStructured = false;  ///< written in SCL; the statements are what its text means
+  /// SCL that becomes statements once all names are known: of a block in SCL all of it, which becomes networks.
+  std::shared_ptr<const SclBody> scl;
 };
 
 struct TypeSyntax;
@@ -157,6 +162,7 @@ struct BlockSyntax {
   std::vector<Assignment> assignments;
   std::vector<Remark> remarks;
   std::vector<DirectiveSyntax> directives;
+  bool isScl = false;            ///< its body is in SCL, all of it in one network
   bool hasBody = false;          ///< BEGIN was there
   bool isOpen = false;           ///< its end is missing
   bool declarationsRead = true;  ///< false: one of them, or the heading, has a finding

@@ -75,6 +75,8 @@ enum class Syntax : std::uint8_t {
   ProjectDamaged,
   TimeStampConflict,
   SourceUnlike,
+  SclText,
+  SclType,
   count
 };
 
@@ -211,6 +213,10 @@ inline constexpr std::array<SyntaxMessage, static_cast<std::size_t>(Syntax::coun
      "STEP 7 calls it a time stamp conflict: open the caller, update the call, save and download it"},
     {Syntax::SourceUnlike, "SYN073", "Text source of a project is not what its block does", Severity::Note,
      "the block counts: compile the source again, or generate it anew from the block"},
+    {Syntax::SclText, "SYN074", "Statement in SCL cannot be read", Severity::Error,
+     "see the place; the block is not covered, reading went on behind the statement"},
+    {Syntax::SclType, "SYN075", "Types in SCL do not fit", Severity::Error,
+     "write a conversion such as INT_TO_REAL, or correct the declaration; the block is not covered"},
 }};
 
 constexpr const SyntaxMessage& syntaxMessage(Syntax code) { return syntaxMessages[static_cast<std::size_t>(code)]; }

@@ -259,6 +259,10 @@ class Machine : public GuardedRun<D> {
   void stop(Hazard which, Bool condition) {
     this->meet(which, condition, [] {});
   }
+  /// S7-300/400: what the CPU does not notice, and the program goes on with.
+  void note(Hazard which, Bool condition) {
+    this->meet(which, condition, [] {});
+  }
   /// Whether the program may go on behind a synchronous error.
   bool survivesErrors() const { return handlesErrors_ || masksErrors_; }
   /// Writes a register of the S7-300/400 where the guard holds.

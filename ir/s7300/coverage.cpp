@@ -24,7 +24,7 @@ constexpr auto gapTable = std::to_array<GapRow>({
     {Gap::HighDataBlock, "data blocks above DB8191", "its number is too high"},
     {Gap::Drawing,
      "networks of SimaticML and of `.s7dcl` with parts that are not known, and in other languages than ladder, FBD and "
-     "STL; bodies of sources in SCL",
+     "STL, in `.s7dcl` also SCL; blocks in SCL with a statement that is not covered",
      "the network is not read"},
 });
 

@@ -38,7 +38,7 @@ constexpr auto effectRows = std::to_array<EffectRow>({
     {"----x0110", ",BEC,"},
     {"----00110", ",CC,"},
     {"-----0--0", ",SP,SE,SD,SS,SF,FR T,R T,CU,CD,S C,R C,FR C,"},
-    {"", ",LABEL,"},
+    {"", ",LABEL,INDEX,"},
 });
 
 }  // namespace

@@ -29,8 +29,8 @@ inline std::vector<std::filesystem::path> corpusFiles(const std::string& folder 
        std::filesystem::recursive_directory_iterator(std::filesystem::path(RUNGPROOF_SOURCE_DIR) / "corpus" / folder)) {
     const std::string ending = entry.path().extension().string();
     if (entry.is_directory() && std::filesystem::exists(headOf(entry.path()))) files.push_back(entry.path());
-    const bool isProgram =
-        ending == ".awl" || ending == ".stl" || ending == ".st" || ending == ".il" || ending == ".xml";
+    const bool isProgram = ending == ".awl" || ending == ".stl" || ending == ".st" || ending == ".il" ||
+                           ending == ".scl" || ending == ".xml";
     if (isProgram && !std::filesystem::exists(headOf(entry.path().parent_path()))) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());

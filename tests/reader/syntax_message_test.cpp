@@ -94,6 +94,7 @@ TEST(SyntaxMessages, EveryMessageOccurs) {
                    "PROGRAM m VAR a : INT; p : POINTER TO INT; u : Unheard; END_VAR\np := ADR(a);\nu(x := a);\n"
                    "END_PROGRAM\n"));
   collect(readText("x.st", "TYPE t : INT; END_TYPE\nFUNCTION f : INT\nf := 1;\nEND_FUNCTION\n"));
+  collect(readText("x.scl", "FUNCTION FC 1 : INT\nBEGIN\nFC1 := 1.5;\nFC1 := ;\nEND_FUNCTION\n"));
   Program symbols;
   SyntaxSink sink(symbols, symbols.sources->add("x.asc", "126,Stop                   I       0.1 BOOL      \n"));
   step7::readSymbolList(symbols.sources->file(sink.file()).text(), step7::MnemonicSet::International, sink);

@@ -66,6 +66,15 @@ TEST_F(SimaticSd, EdgesAndInversion) {
       "prove reset: I0.3 implies not Q0.2\nprove set: I0.2 and not I0.3 implies Q0.2\nprove coil: Q0.3 = not I0.3\n");
 }
 
+// Statements of SCL beside drawn networks.
+TEST_F(SimaticSd, StructuredText) {
+  proves(
+      "IF %I0.0 AND NOT %I0.1 THEN %Q0.0 := TRUE; ELSE %Q0.0 := FALSE; END_IF;\n#n := 3; %QB4 := INT_TO_BYTE(#n * 2);"
+      "\n  END_NETWORK\n  { S7_Language := \"LAD\" }\n  NETWORK\n"
+      "RUNG wire#powerrail Contact( %Q0.0 ) Coil( %Q0.1 ) END_RUNG",
+      "prove value: Q0.0 = (I0.0 and not I0.1)\nprove next: Q0.1 = Q0.0\nprove six: QB4 = 6\n", "SCL");
+}
+
 // FBD: t := (a AND NOT b) OR c; q := t; IF t THEN r := TRUE.
 TEST_F(SimaticSd, FunctionBlockDiagram) {
   proves(
@@ -128,7 +137,7 @@ TEST_F(SimaticSd, TitlesComeFromTheTextsBeside) {
 
 // What is not read is said at its place, and the rest is read.
 TEST_F(SimaticSd, WhatIsNotCoveredIsSaid) {
-  finds("#n := #n + 1;", "the network is written in SCL, which is not covered", "SCL");
+  finds("#n := 1.5;", "1.5 is REAL, and INT is needed here", "SCL");
   finds("RUNG wire#powerrail Contact( %I0.0 ) %M0.0.S_RS( wire#w ) END_RUNG", "S_RS");
   finds("RUNG wire#powerrail Calculate( in1 := #n, out => #n ) END_RUNG", "part Calculate is not covered");
   finds("RUNG wire#w1 Coil( %Q0.0 ) END_RUNG", "nothing flows into wire#w1");

@@ -2,6 +2,7 @@
 // is taken and what it does to the status word; ir/s7300/control.hpp takes it. The MCR is general knowledge.
 #pragma once
 
+#include "ir/s7300/index_check.hpp"
 #include "ir/s7300/isa/load.hpp"
 
 namespace rungproof::isa::step7 {
@@ -26,6 +27,25 @@ struct Label {
                                             {in("label", Type::Label, form7::Const)});
   template <class D>
   static void run(Step7Args<D>&) {}
+};
+
+/// What a body in SCL asks before it computes the place of an element: whether the DINT in ACCU1 lies between the
+/// bounds. The CPU itself does not ask. Nobody writes it.
+struct IndexCheck {
+  static constexpr Desc desc = [] {
+    Desc d = withOperands(accuDesc(indexCheck, {}, "compare an index with the bounds of its array", "SCL", "002:2068"),
+                          {in("first", Type::DInt, form7::Const), in("last", Type::DInt, form7::Const)});
+    d.drawingOnly = true;
+    return d;
+  }();
+  template <class D>
+  static void run(Step7Args<D>& a) {
+    const auto bound = [&](std::size_t i) {
+      return a.number(static_cast<std::uint64_t>(a.instruction.operands[i].value) & 0xFFFFFFFF);
+    };
+    const auto isInside = a.d.land(a.d.sle(bound(0), a.accu1(), 32), a.d.sle(a.accu1(), bound(1), 32));
+    a.m.note(Hazard::SclIndex, a.d.lnot(isInside));
+  }
 };
 
 enum class JumpOn : std::uint8_t { Always, Ov, Zero, NotZero, Plus, Minus, PlusOrZero, MinusOrZero, Unordered };
@@ -181,7 +201,7 @@ struct ActivateRelay {
 };
 
 using Step7ControlGroup =
-    Group<Label, PlainJump<JumpOn::Always, "JU", "SPA", "jump", "002:2792">, Distributor,
+    Group<Label, IndexCheck, PlainJump<JumpOn::Always, "JU", "SPA", "jump", "002:2792">, Distributor,
           RloJump<true, false, "JC", "SPB", "002:2794">, RloJump<false, false, "JCN", "SPBN", "002:2795">,
           RloJump<true, true, "JCB", "SPBB", "002:2796">, RloJump<false, true, "JNB", "SPBNB", "002:2797">,
           BrJump<true, "JBI", "SPBI", "002:2798">, BrJump<false, "JNBI", "SPBIN", "002:2799">,

@@ -17,7 +17,7 @@ std::string_view writtenMnemonic(const Desc& desc, bool german) {
 std::vector<const Desc*> instructionsWritten(std::string_view word, bool international, bool german) {
   std::vector<const Desc*> plain, further;
   for (const Desc& desc : s7300Instructions().all()) {
-    if (desc.control == Control::LabelMark) continue;
+    if (desc.control == Control::LabelMark || desc.drawingOnly) continue;
     const auto isWritten = [&](bool inGerman) {
       return (inGerman ? german : international) && writtenMnemonic(desc, inGerman) == word;
     };

@@ -1,0 +1,131 @@
+// Calls in SCL: functions with a value, instances, multi-instances, EN and ENO, S5 timers and counters, IEC timers.
+#include "tests/scl/scl_run.hpp"
+
+namespace rungproof {
+namespace {
+
+using testscl::lastRow;
+using testscl::mainOf;
+
+const std::string half =
+    "FUNCTION FC 5 : INT\nVAR_INPUT\n x : INT;\nEND_VAR\nVAR_OUTPUT\n odd : BOOL;\nEND_VAR\nBEGIN\n"
+    " odd := x MOD 2 <> 0;\n FC5 := x / 2;\nEND_FUNCTION\n";
+
+TEST(SclCalls, FunctionWithAValue) {
+  // 9 / 2 = 4; 4 + 1 = 5.
+  EXPECT_EQ(lastRow(half + mainOf("MW20 := FC5(x := 9, odd := M30.0) + 1;"), "MW20,M30.0"), "1,5,1");
+  // The value of the inner call is the input of the outer one: 9 / 2 / 2 = 2.
+  EXPECT_EQ(lastRow(half + mainOf("MW20 := FC5(x := FC5(x := 9, odd := M30.0), odd := M30.1);"), "MW20,M30.0,M30.1"),
+            "1,2,1,0");
+  // As a statement the value is dropped.
+  EXPECT_EQ(lastRow(half + mainOf("FC5(x := 8, odd => M30.0);"), "M30.0"), "1,0");
+}
+
+TEST(SclCalls, ValueNamedAfterTheFunction) {
+  const std::string scale =
+      "FUNCTION \"Scale\" : REAL\nVAR_INPUT\n x : INT;\nEND_VAR\nBEGIN\n #Scale := #x * 1.5;\nEND_FUNCTION\n";
+  EXPECT_EQ(lastRow(scale + mainOf("MD20 := ROUND(\"Scale\"(4));"), "MD20"), "1,6");
+  EXPECT_EQ(lastRow(scale + mainOf("MD20 := ROUND(Scale(x := 2));"), "MD20"), "1,3");
+}
+
+// A call may write what stands on the left of the operator: it was read before.
+TEST(SclCalls, LeftSideIsReadBeforeTheCall) {
+  const std::string counts = "FUNCTION FC 6 : INT\nBEGIN\n MW40 := WORD_TO_INT(MW40) + 1;\n FC6 := 10;\nEND_FUNCTION\n";
+  EXPECT_EQ(lastRow(counts + mainOf("MW20 := WORD_TO_INT(MW40) + FC6();"), "MW20,MW40"), "1,10,1");
+}
+
+const std::string counter =
+    "FUNCTION_BLOCK FB 1\nVAR_INPUT\n up : BOOL; by : INT := 1;\nEND_VAR\nVAR_OUTPUT\n sum : INT; isFull : BOOL;\n"
+    "END_VAR\nVAR\n last : BOOL;\nEND_VAR\nBEGIN\n IF #up AND NOT #last THEN #sum := #sum + #by; END_IF;\n"
+    " #last := #up;\n #isFull := #sum >= 3;\nEND_FUNCTION_BLOCK\nDATA_BLOCK DB 3\nFB 1\nBEGIN\nEND_DATA_BLOCK\n";
+
+TEST(SclCalls, InstanceKeepsItsData) {
+  const std::string program = counter + mainOf("FB1.DB3(up := I0.0, sum => MW20); M30.0 := DB3.isFull;");
+  EXPECT_EQ(lastRow(program, "MW20,M30.0", "5", "scan,I0.0\n1,1\n2,0\n3,1\n4,0\n5,1\n"), "5,3,1");
+  EXPECT_EQ(lastRow(program, "MW20,M30.0", "5", "scan,I0.0\n1,1\n2,1\n3,1\n4,0\n5,1\n"), "5,2,0");
+}
+
+TEST(SclCalls, MultiInstances) {
+  const std::string program =
+      counter +
+      "FUNCTION_BLOCK FB 2\nVAR\n first : FB 1; second : FB 1;\nEND_VAR\nBEGIN\n #first(up := I0.0, by := 2);\n"
+      " #second(up := I0.1, by := 5);\n MW20 := #first.sum + #second.sum;\nEND_FUNCTION_BLOCK\n"
+      "DATA_BLOCK DB 4\nFB 2\nBEGIN\nEND_DATA_BLOCK\n" +
+      mainOf("FB2.DB4();");
+  EXPECT_EQ(lastRow(program, "MW20", "3", "scan,I0.0,I0.1\n1,1,0\n2,0,1\n3,1,0\n"), "3,9");
+}
+
+TEST(SclCalls, EnableSkipsTheCall) {
+  const std::string program =
+      half + mainOf("MW20 := 0; FC5(EN := I0.0, x := 8, odd := M30.1, RET_VAL := MW20, ENO => M30.0);");
+  EXPECT_EQ(lastRow(program, "MW20,M30.0", "1", "scan,I0.0\n1,1\n"), "1,4,1");
+  EXPECT_EQ(lastRow(program, "MW20,M30.0", "1", "scan,I0.0\n1,0\n"), "1,0,0");
+}
+
+TEST(SclCalls, OkIsHandedBackAsEno) {
+  const std::string checks =
+      "FUNCTION FC 7 : VOID\nVAR_INPUT\n x : INT;\nEND_VAR\nBEGIN\n IF x < 0 THEN OK := FALSE; END_IF;\nEND_FUNCTION\n";
+  EXPECT_EQ(lastRow(checks + mainOf("FC7(x := -1, ENO => M30.0); FC7(x := 1, ENO => M30.1);"), "M30.0,M30.1"), "1,0,1");
+}
+
+TEST(SclCalls, OutputsToElementsAndOtherTypes) {
+  const std::string program =
+      counter +
+      mainOf("FB1.DB3(up := TRUE, by := 7, sum => #x[#i + 1]); MW20 := #x[2]; FB1.DB3(sum => #d); MD24 := #d;",
+             "VAR_TEMP\n x : ARRAY[0..3] OF INT; i : INT; d : DINT;\nEND_VAR\n");
+  // #i is a temporary that nothing wrote: the index must not be computed from it before it has a value.
+  const std::string whole = program.substr(0, program.find("BEGIN\nFB1.DB3(up")) + "BEGIN\n#i := 1;\n" +
+                            program.substr(program.find("FB1.DB3(up"));
+  EXPECT_EQ(lastRow(whole, "MW20,MD24"), "1,7,7");
+}
+
+// S_ODT as the box of that name: the timer runs 1 s after S, R resets it.
+TEST(SclCalls, OnDelayTimer) {
+  const std::string program =
+      mainOf("#left := S_ODT(T_NO := T1, S := I0.0, TV := S5T#1s, R := I0.1, BI := MW20, Q := Q4.0);",
+             "VAR_TEMP\n left : S5TIME;\nEND_VAR\n");
+  const test::TemporaryFolder folder;
+  folder.file("main.scl", program);
+  folder.file("in.csv", "scan,I0.0,I0.1\n1,1,0\n");
+  const auto stateAfter = [&](const std::string& scans) {
+    const testscl::Output output =
+        test7::run({"sim", folder.path("main.scl"), "--stimulus", folder.path("in.csv"), "--trace",
+                    folder.path("r.csv"), "--signals", "Q4.0", "--scans", scans, "--scan-time", "100ms"});
+    std::ifstream file(folder.path("r.csv"));
+    std::string last;
+    for (std::string row; std::getline(file, row);) last = row;
+    return last.substr(last.rfind(',') + 1) + (output.exit > 1 ? output.text : "");
+  };
+  EXPECT_EQ(stateAfter("9"), "0");   // 0.8 s behind the edge, at most one tick more
+  EXPECT_EQ(stateAfter("13"), "1");  // 1.2 s
+}
+
+TEST(SclCalls, UpDownCounter) {
+  const std::string program = mainOf(
+      "MW22 := S_CUD(C_NO := C1, CU := I0.0, CD := I0.1, S := I0.2, PV := W#16#0010, R := I0.3, CV := MW20, Q := "
+      "M30.0);");
+  // Set to 10 (three digits of BCD), up once: 11, as a value of the function in BCD 16#11 = 17.
+  EXPECT_EQ(lastRow(program, "MW20,MW22,M30.0", "2", "scan,I0.0,I0.2\n1,0,1\n2,1,0\n"), "2,11,17,1");
+  EXPECT_EQ(lastRow(program, "MW20,M30.0", "3", "scan,I0.0,I0.2,I0.3\n1,0,1,0\n2,1,0,0\n3,0,0,1\n"), "3,0,0");
+}
+
+TEST(SclCalls, IecTimer) {
+  const std::string program =
+      "DATA_BLOCK DB 5\nSFB 4\nBEGIN\nEND_DATA_BLOCK\n" + mainOf("TON.DB5(IN := I0.0, PT := T#1s); Q4.0 := DB5.Q;");
+  EXPECT_EQ(lastRow(program, "Q4.0", "50", "scan,I0.0\n1,1\n"), "50,0");    // 10 ms each: 0.49 s
+  EXPECT_EQ(lastRow(program, "Q4.0", "120", "scan,I0.0\n1,1\n"), "120,1");  // 1.19 s
+}
+
+// Blocks in statement lists and in SCL call each other.
+TEST(SclCalls, CalledFromAStatementList) {
+  const test::TemporaryFolder folder;
+  folder.file("half.scl", half);
+  folder.file("main.awl", test7::block(1, "CALL FC 5 (x := 9, odd := M 30.0, RET_VAL := MW 20)"));
+  folder.file("p.prop", "prove value: MW20 == 4\nprove odd: M30.0\n");
+  const testscl::Output proof =
+      test7::run({"prove", folder.path("half.scl"), folder.path("main.awl"), "--props", folder.path("p.prop")});
+  EXPECT_EQ(proof.exit, 0) << proof.text;
+}
+
+}  // namespace
+}  // namespace rungproof

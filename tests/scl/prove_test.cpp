@@ -1,0 +1,85 @@
+// Properties of programs in SCL with the verdicts that reasoning gives, their certificates and repeated runs; SCL
+// against statement lists.
+#include "tests/scl/scl_run.hpp"
+
+namespace rungproof {
+namespace {
+
+using testscl::mainOf;
+using testscl::Output;
+using testscl::proofOf;
+
+const std::string motor =
+    "FUNCTION_BLOCK FB 1\nVAR_INPUT\n start : BOOL; stop : BOOL; fault : BOOL;\nEND_VAR\nVAR_OUTPUT\n run : BOOL;\n"
+    "END_VAR\nVAR\n starts : INT;\n last : BOOL;\nEND_VAR\nBEGIN\n IF #stop OR #fault THEN\n  #run := FALSE;\n"
+    " ELSIF #start THEN\n  #run := TRUE;\n END_IF;\n IF #run AND NOT #last AND #starts < 100 THEN\n"
+    "  #starts := #starts + 1;\n END_IF;\n #last := #run;\nEND_FUNCTION_BLOCK\n"
+    "DATA_BLOCK DB 3\nFB 1\nBEGIN\nEND_DATA_BLOCK\n";
+
+TEST(SclProof, StopWins) {
+  const std::string program = motor + mainOf("FB1.DB3(start := I0.0, stop := I0.1, fault := I0.2, run => Q4.0);");
+  const test::TemporaryFolder folder;
+  const Output proof =
+      proofOf("prove stop: I0.1 implies not Q4.0\nprove bound: DB3.starts <= 100\nprove on: not Q4.0\n", program,
+              {"--certificate", folder.path()});
+  EXPECT_EQ(proof.exit, 1) << proof.text;
+  EXPECT_TRUE(proof.has("PROVED  stop")) << proof.text;
+  EXPECT_TRUE(proof.has("PROVED  bound")) << proof.text;
+  EXPECT_TRUE(proof.has("VIOLATED  on")) << proof.text;  // I0.0 alone switches it on
+}
+
+// A loop with a constant limit, an IF in it, and what it adds up.
+TEST(SclProof, LoopCountsBits) {
+  const std::string program = mainOf(
+      "#n := 0;\nFOR #i := 0 TO 3 DO\n #b := SHR(IN := IB0, N := #i) AND B#16#01;\n IF #b = B#16#01 THEN #n := #n + 1; "
+      "END_IF;\nEND_FOR;\nMW20 := #n;",
+      "VAR_TEMP\n i : INT; n : INT; b : BYTE;\nEND_VAR\n");
+  const Output proof = proofOf(
+      "prove all: (I0.0 and I0.1 and I0.2 and I0.3) implies MW20 == 4\nprove one: MW20 <= 4\nprove not3: MW20 <= 3\n",
+      program);
+  EXPECT_TRUE(proof.has("PROVED  all")) << proof.text;
+  EXPECT_TRUE(proof.has("PROVED  one")) << proof.text;
+  EXPECT_TRUE(proof.has("VIOLATED  not3")) << proof.text;
+}
+
+TEST(SclProof, IndexThatStaysInside) {
+  const std::string table =
+      "DATA_BLOCK DB 10\nSTRUCT\n speed : ARRAY[1..4] OF INT := 10, 20, 30, 40;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
+  const std::string declarations = "VAR_TEMP\n i : INT;\nEND_VAR\n";
+  const Output inside = proofOf(
+      "prove table: MW20 <= 40 and MW20 >= 10\n",
+      table + mainOf("#i := LIMIT(MN := 1, IN := WORD_TO_INT(IW0), MX := 4);\nMW20 := DB10.speed[#i];", declarations),
+      {"--builtin"});
+  EXPECT_EQ(inside.exit, 0) << inside.text;
+  const Output outside = proofOf("prove table: MW20 <= 40\n",
+                                 table + mainOf("#i := WORD_TO_INT(IW0);\nIF #i >= 0 AND #i <= 4 THEN\n MW20 := "
+                                                "DB10.speed[#i];\nEND_IF;",
+                                                declarations),
+                                 {"--builtin"});
+  EXPECT_EQ(outside.exit, 1) << outside.text;
+  EXPECT_TRUE(outside.has("index outside the bounds of its array")) << outside.text;
+}
+
+TEST(SclProof, EqualToAStatementList) {
+  const test::TemporaryFolder folder;
+  folder.file("a/main.scl",
+              mainOf("IF I0.0 AND NOT I0.1 THEN\n MW20 := WORD_TO_INT(IW2) + 5;\nELSE\n MW20 := 0;\nEND_IF;\n"
+                     "Q4.0 := WORD_TO_INT(IW2) > 7 OR I0.1;"));
+  const auto list = [](const std::string& number) {
+    return test7::block(1, "A I 0.0;AN I 0.1;JCN none;L IW 2;L " + number +
+                               ";+I;T MW 20;JU done;none: L 0;T MW 20;done: L IW 2;L 7;>I;O I 0.1;= Q 4.0");
+  };
+  folder.file("b/main.awl", list("5"));
+  folder.file("c/main.awl", list("6"));
+  const Output same =
+      test7::run({"equiv", folder.path("a/main.scl"), folder.path("b/main.awl"), "--observe", "Q4.0,MW20"});
+  EXPECT_EQ(same.exit, 0) << same.text;
+  EXPECT_TRUE(same.has("EQUAL")) << same.text;
+  const Output other =
+      test7::run({"equiv", folder.path("a/main.scl"), folder.path("c/main.awl"), "--observe", "Q4.0,MW20"});
+  EXPECT_EQ(other.exit, 1) << other.text;
+  EXPECT_TRUE(other.has("DIFFERENT")) << other.text;
+}
+
+}  // namespace
+}  // namespace rungproof
