@@ -1,5 +1,5 @@
 // PTR007: an index that is computed can lie outside the bounds of its array, in a body written in SCL. The prover
-// answers. Tested by tests/scl/array_test.cpp.
+// answers. Tested by tests/scl/prove_test.cpp.
 #include "analysis/asking/asking.hpp"
 #include "analysis/rule.hpp"
 

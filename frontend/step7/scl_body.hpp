@@ -1,5 +1,5 @@
 // A body in SCL as a syntax tree: the statements of IEC 61131-3 with what SCL adds, and the sections CONST of its
-// block. Read before names are known; scl_lowering.hpp gives it a meaning. Tested by tests/step7/scl_text_test.cpp.
+// block. Read before names are known; scl_lowering.hpp gives it a meaning. Tested by tests/scl/malformed_test.cpp.
 #pragma once
 
 #include <memory>

@@ -2,7 +2,7 @@
 // reads them works unchanged. Each statement of the body is a network; what is computed in between lies in temporary
 // data behind the declared ones. Every lowered statement keeps the place of what it was made of.
 // Where no manual at hand tells what SCL does, it is not covered by name, or one meaning is taken, which
-// frontend/guide/64_s7300.md names. Tested by tests/scl.
+// frontend/guide/64_s7300.md names. Tested by tests/scl/micro_test.cpp, call_test.cpp, random_test.cpp.
 #pragma once
 
 #include <map>

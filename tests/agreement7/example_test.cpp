@@ -374,7 +374,7 @@ TEST(Rows7, EveryInstructionIsInTheTable) {
   }
   EXPECT_EQ(rows, 181);
   for (const Desc& desc : s7300Instructions().all()) {
-    EXPECT_TRUE(met.contains(&desc) || desc.stl == "LABEL") << desc.stl << " stands in no row";
+    EXPECT_TRUE(met.contains(&desc) || desc.stl == "LABEL" || desc.drawingOnly) << desc.stl << " stands in no row";
   }
 }
 

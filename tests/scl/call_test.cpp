@@ -116,6 +116,31 @@ TEST(SclCalls, IecTimer) {
   EXPECT_EQ(lastRow(program, "Q4.0", "120", "scan,I0.0\n1,1\n"), "120,1");  // 1.19 s
 }
 
+// Arrays as parameters come by pointer; an array of a multi-instance lies where AR2 says.
+TEST(SclCalls, ArraysOfParametersAndInstances) {
+  const std::string table =
+      "DATA_BLOCK DB 9\nSTRUCT\n t : ARRAY[0..3] OF INT := 4, 5, 6, 7;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
+  const std::string reads =
+      "FUNCTION FC 8 : INT\nVAR_INPUT\n a : ARRAY[0..3] OF INT; n : INT;\nEND_VAR\nBEGIN\n FC8 := "
+      "a[n];\nEND_FUNCTION\n";
+  EXPECT_EQ(lastRow(reads + table + mainOf("MW20 := FC8(a := DB9.t, n := 2);"), "MW20"), "1,6");
+  const std::string fills =
+      "FUNCTION_BLOCK FB 8\nVAR_IN_OUT\n a : ARRAY[0..3] OF INT;\nEND_VAR\nVAR\n b : ARRAY[1..4] OF REAL; i : INT;\n"
+      "END_VAR\nBEGIN\n FOR i := 0 TO 3 DO a[i] := i * 2; b[i + 1] := i; END_FOR;\n MD24 := TRUNC(b[4] + b[3]);\n"
+      "END_FUNCTION_BLOCK\nDATA_BLOCK DB 8\nFB 8\nBEGIN\nEND_DATA_BLOCK\n";
+  // 3 * 2 = 6; 3 + 2 = 5.
+  EXPECT_EQ(lastRow(fills + table + mainOf("FB8.DB8(a := DB9.t); MW20 := DB9.t[3];"), "MW20,MD24"), "1,6,5");
+  const std::string inner =
+      "FUNCTION_BLOCK FB 9\nVAR_INPUT\n n : INT;\nEND_VAR\nVAR_OUTPUT\n sum : INT;\nEND_VAR\nVAR\n kept : ARRAY[1..3] "
+      "OF INT; "
+      "i : INT;\nEND_VAR\nBEGIN\n kept[n] := n * 10;\n sum := 0;\n FOR i := 1 TO 3 DO sum := sum + kept[i]; END_FOR;\n"
+      "END_FUNCTION_BLOCK\nFUNCTION_BLOCK FB 10\nVAR\n x : FB 9; y : FB 9;\nEND_VAR\nBEGIN\n x(n := 1); y(n := 2); y(n "
+      ":= 3);\n"
+      " MW20 := x.sum; MW22 := y.sum;\nEND_FUNCTION_BLOCK\nDATA_BLOCK DB 10\nFB 10\nBEGIN\nEND_DATA_BLOCK\n";
+  // x keeps 10; y keeps 20 and 30.
+  EXPECT_EQ(lastRow(inner + mainOf("FB10.DB10();"), "MW20,MW22"), "1,10,50");
+}
+
 // Blocks in statement lists and in SCL call each other.
 TEST(SclCalls, CalledFromAStatementList) {
   const test::TemporaryFolder folder;
