@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "analysis/rule.hpp"
+#include "frontend/input/project_argument.hpp"
 #include "frontend/report_basis.hpp"
 #include "frontend/testing/test_output.hpp"
 #include "frontend/text/excerpt.hpp"
@@ -34,7 +35,7 @@ class HumanWriter {
       : report_(report), style_(style), paint_{style.color}, out_(out) {}
 
   void write() {
-    for (const Finding& finding : report_.findings) writeFinding(finding);
+    writeFindings();
     for (const PropertyResult& property : report_.properties) writeProperty(property);
     std::istringstream blocks(comparedBlocksText(report_.blocks));
     for (std::string line; std::getline(blocks, line);) out_ << messageText(line) << '\n';
@@ -52,6 +53,36 @@ class HumanWriter {
   }
 
  private:
+  /// Of a project with several programs one program after the other, each below its name.
+  void writeFindings() {
+    const std::vector<std::string>& programs = report_.files;
+    const bool hasHeadings =
+        report_.command == "lint" && programs.size() > 1 && std::ranges::all_of(programs, isProjectProgram);
+    if (!hasHeadings) {
+      for (const Finding& finding : report_.findings) writeFinding(finding);
+      return;
+    }
+    const auto isOf = [&](const Finding& finding, const std::string& program) {
+      if (!hasPlace(finding.span)) return false;
+      const std::string_view file = report_.sources->file(finding.span.file).name();
+      return file.starts_with(program) && (file.size() == program.size() || file[program.size()] == '/');
+    };
+    for (const Finding& finding : report_.findings) {
+      if (std::ranges::none_of(programs, [&](const std::string& program) { return isOf(finding, program); }))
+        writeFinding(finding);
+    }
+    for (const std::string& program : programs) {
+      out_ << paint_.bold(messageText(program)) << "\n\n";
+      bool isClean = true;
+      for (const Finding& finding : report_.findings) {
+        if (!isOf(finding, program)) continue;
+        writeFinding(finding);
+        isClean = false;
+      }
+      if (isClean) out_ << "no findings\n\n";
+    }
+  }
+
   bool hasPlace(Span span) const { return report_.sources != nullptr && span.file < report_.sources->size(); }
 
   /// Findings are written piece by piece, without formats: there may be a million.

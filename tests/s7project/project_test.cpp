@@ -128,6 +128,15 @@ TEST(S7Project, SeveralProgramsAreNamed) {
   const test::ProgramRun both = test::run({"show", "--isolated", "--no-findings", project});
   const auto headed = [&](const std::string& cpu) { return project + "/" + cpu + "/S7 Program(1)\n\n" + named.out; };
   EXPECT_EQ(both.out, headed("SIMATIC 300(1)/CPU 315-2 DP") + "\n" + headed("SIMATIC 300(2)/CPU 314")) << both.err;
+  // lint: each program below its name, with the findings that it has alone.
+  const auto programNamed = [&](const std::string& cpu) { return project + "/" + cpu + "/S7 Program(1)"; };
+  const std::string first = programNamed("SIMATIC 300(1)/CPU 315-2 DP"), next = programNamed("SIMATIC 300(2)/CPU 314");
+  const std::string linted = test::run({"lint", "--isolated", project}).out;
+  ASSERT_TRUE(linted.starts_with(first + "\n\n")) << linted;
+  const std::size_t atNext = linted.find("\n" + next + "\n\n");
+  ASSERT_NE(atNext, std::string::npos) << linted;
+  EXPECT_EQ(linted.substr(0, atNext).find("--> " + next), std::string::npos) << linted;
+  EXPECT_EQ(linted.substr(atNext).find("--> " + first), std::string::npos) << linted;
   const test::ProgramRun wrong = test::run({"lint", "--isolated", "--program", "nobody", project});
   EXPECT_EQ(wrong.exit, 2);
   EXPECT_TRUE(wrong.says("has no program 'nobody'")) << wrong.err;
