@@ -66,11 +66,11 @@ std::optional<Constant> plainNumber(std::string_view written) {
   Constant made;
   const char *const begin = text.data(), *const end = begin + text.size();
   if (text.find_first_of(".eE") != std::string::npos) {
-    double number = 0;
+    float number = 0;
     const auto [stop, error] = std::from_chars(begin, end, number);
     if (error != std::errc() || stop != end) return std::nullopt;
     made.kind = ConstantKind::Real;
-    made.value = std::bit_cast<std::uint32_t>(static_cast<float>(number));
+    made.value = std::bit_cast<std::uint32_t>(number);
     return made;
   }
   const auto [stop, error] = std::from_chars(begin, end, made.value);

@@ -203,7 +203,7 @@ SclValue SclLowering::absoluteValue(const iec::Expr& expr) {
   if (in.kind != Kind::Int && in.kind != Kind::DInt)
     refuse(expr.span, fmt::format("ABS takes a number, not {}", written(in.span)), Syntax::SclType);
   const bool isWide = in.kind == Kind::DInt;
-  in = in.isPlain ? in : inTemporary(in);
+  in = inTemporary(in);
   const std::string done = freshLabel();
   Constant zero;
   zero.kind = isWide ? ConstantKind::Long : ConstantKind::Integer;

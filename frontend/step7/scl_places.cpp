@@ -392,7 +392,9 @@ void SclLowering::store(const Spot& spot, const SclValue& value, Span span) {
       load(value);
     return store(spot.operand, value.kind);
   }
-  const SclValue held = value.isPlain ? value : inTemporary(value);
+  // Reading it later could open another data block than that of the place.
+  const bool isConstant = value.isPlain && value.operand.form == OperandForm::Constant;
+  const SclValue held = isConstant ? value : inTemporary(value);
   const Operand at = pointTo(spot, value.kind, span);
   if (value.kind == Kind::Bool)
     scan(held);

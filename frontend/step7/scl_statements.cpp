@@ -316,8 +316,7 @@ void SclLowering::caseStatement(const iec::Statement& one) {
            Syntax::SclType);
   const bool isWide = selector.kind == Kind::DInt;
   span_ = selectorSpan;
-  if (!selector.isPlain || calls(*one.value) || selector.isLiteral) selector = inTemporary(selector);
-  // A branch may write the variable, which has been looked at by then.
+  selector = inTemporary(selector);
   const auto number = [&](std::int64_t value, Span span) {
     if (!isWide && (value < -32768 || value > 32767)) refuse(span, fmt::format("{} is no INT", value), Syntax::SclType);
     Constant constant = sclNumber(value);

@@ -141,6 +141,22 @@ TEST(SclCalls, ArraysOfParametersAndInstances) {
   EXPECT_EQ(lastRow(inner + mainOf("FB10.DB10();"), "MW20,MW22"), "1,10,50");
 }
 
+// The place of an element and the value may lie in different data blocks.
+TEST(SclCalls, ElementsOfOneBlockFromAnother) {
+  const std::string data =
+      "DATA_BLOCK DB 20\nSTRUCT\n t : ARRAY[0..3] OF INT; b : ARRAY[0..3] OF "
+      "BOOL;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n"
+      "DATA_BLOCK DB 21\nSTRUCT\n n : INT := 9; i : INT := 2; f : BOOL := TRUE; u : ARRAY[0..3] OF INT := 1, 2, 3, 4;\n"
+      "END_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
+  EXPECT_EQ(lastRow(data + mainOf("DB20.t[DB21.i] := DB21.n; MW20 := DB20.t[2]; MW22 := DB21.i;"), "MW20,MW22"),
+            "1,9,2");
+  EXPECT_EQ(lastRow(data + mainOf("DB20.b[DB21.i] := DB21.f; M30.0 := DB20.b[2]; M30.1 := DB20.b[0];"), "M30.0,M30.1"),
+            "1,1,0");
+  // 3 + 4.
+  EXPECT_EQ(lastRow(data + mainOf("DB20.t[DB21.i] := DB21.u[DB21.i] + DB21.u[DB21.i + 1]; MW20 := DB20.t[2];"), "MW20"),
+            "1,7");
+}
+
 // Blocks in statement lists and in SCL call each other.
 TEST(SclCalls, CalledFromAStatementList) {
   const test::TemporaryFolder folder;

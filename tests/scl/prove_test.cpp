@@ -21,7 +21,7 @@ TEST(SclProof, StopWins) {
   const test::TemporaryFolder folder;
   const Output proof =
       proofOf("prove stop: I0.1 implies not Q4.0\nprove bound: DB3.starts <= 100\nprove on: not Q4.0\n", program,
-              {"--certificate", folder.path()});
+              {"--certificate", folder.folder().string()});
   EXPECT_EQ(proof.exit, 1) << proof.text;
   EXPECT_TRUE(proof.has("PROVED  stop")) << proof.text;
   EXPECT_TRUE(proof.has("PROVED  bound")) << proof.text;
