@@ -51,9 +51,9 @@ struct StimulusRow {
   std::vector<ScanScript::Tick> ticks{};    ///< Stimulus::isWhole: 1 ms ticks within the scan
   std::optional<std::uint32_t> ticks10{};   ///< Stimulus::isWhole: as ScanScript has them
   std::optional<std::uint32_t> ticks100{};
-  std::vector<ExternalValue> externals{};       ///< Stimulus::isWhole: what the engine asks for, in that order
-  std::vector<PresetValue> presets{};           ///< Stimulus::isWhole: inputs and memory without a column of their own
-  std::vector<std::optional<double>> values{};  ///< by column
+  std::vector<ExternalValue> externals{};  ///< Stimulus::isWhole: what the engine asks for, in that order
+  std::vector<PresetValue> presets{};      ///< Stimulus::isWhole: inputs and memory without a column of their own
+  std::vector<std::optional<TraceNumber>> values{};  ///< by column
   /// Port and character (SerialPorts::breakSignal: a break), in the order in which they are sent.
   std::vector<std::pair<std::uint32_t, int>> characters{};
 };

@@ -201,7 +201,7 @@ TraceSignal signalOf(const Program& program, const Operand& operand, const Symbo
   if (operand.width == Width::DWord && isUsedAsReal(program, operand)) signal.type = SignalType::Real;
   if (const auto meant = program.valueTypes.find(operand.offset);
       meant != program.valueTypes.end() && operand.width != Width::Bit)
-    signal.type = meant->second == ValueType::Real     ? SignalType::Real
+    signal.type = meant->second == ValueType::Real     ? realOf(bits(operand.width))
                   : meant->second == ValueType::Signed ? SignalType::Signed
                                                        : SignalType::Unsigned;
   return signal;
@@ -257,51 +257,59 @@ std::vector<TraceSignal> touchedSignals(const Program& program) {
   return signals;
 }
 
-double numberOf(std::uint64_t value, SignalType type, int width) {
+TraceNumber numberOf(std::uint64_t value, SignalType type, int width) {
   switch (type) {
-    case SignalType::Bool: return static_cast<double>(value & 1);
-    case SignalType::Unsigned: return static_cast<double>(value & Concrete::mask(width));
-    case SignalType::Signed: return static_cast<double>(Concrete::toSigned(value, width));
+    case SignalType::Bool: return static_cast<TraceNumber>(value & 1);
+    case SignalType::Unsigned: return static_cast<TraceNumber>(value & Concrete::mask(width));
+    case SignalType::Signed: return static_cast<TraceNumber>(Concrete::toSigned(value, width));
     case SignalType::Real:
+    case SignalType::LongReal:
     case SignalType::Number: return width == 64 ? Concrete::longReal(value) : Concrete::real(value);
   }
   return 0;
 }
 
-std::uint64_t valueOf(double number, SignalType type, int width) {
-  if (type == SignalType::Real || type == SignalType::Number)
-    return width == 64 ? Concrete::longPattern(number) : Concrete::pattern(static_cast<float>(number));
+std::uint64_t valueOf(TraceNumber number, SignalType type, int width) {
+  if (type == SignalType::Real || type == SignalType::LongReal || type == SignalType::Number)
+    return width == 64 ? Concrete::longPattern(static_cast<double>(number))
+                       : Concrete::pattern(static_cast<float>(static_cast<double>(number)));
   if (type == SignalType::Bool) return number != 0 ? 1 : 0;
-  if (type == SignalType::Unsigned && number >= 0x1p63 && number < 0x1p64) return static_cast<std::uint64_t>(number);
-  if (!(std::abs(number) < 0x1p63)) return 0;
+  if (number >= 0x1p63L && number < 0x1p64L) return static_cast<std::uint64_t>(number) & Concrete::mask(width);
+  if (!(number >= -0x1p63L && number < 0x1p63L)) return 0;
   return static_cast<std::uint64_t>(static_cast<std::int64_t>(number)) & Concrete::mask(width);
 }
 
-std::string numberText(double number, SignalType type) {
+std::string numberText(TraceNumber number, SignalType type) {
   std::string text;
   appendNumber(number, type, text);
   return text;
 }
 
-void appendNumber(double number, SignalType type, std::string& text) {
-  constexpr double mostDigits = 1e15;  // all integers up to here are exact, and written without an exponent
+void appendNumber(TraceNumber number, SignalType type, std::string& text) {
+  const bool isWholeType = type == SignalType::Bool || type == SignalType::Unsigned || type == SignalType::Signed;
+  // Of others all integers up to here are exact, and written without an exponent.
+  const TraceNumber mostDigits = isWholeType ? 0x1p64L : 1e15L;
   const bool isInteger = std::abs(number) < mostDigits && std::trunc(number) == number && !std::signbit(number);
-  const float asReal = static_cast<float>(number);
-  const bool isLong = !std::isnan(number) && static_cast<double>(asReal) != number;  // an LREAL that no REAL is
-  if (type == SignalType::Real && !isLong) {
+  const auto real = static_cast<double>(number);
+  const auto asReal = static_cast<float>(real);
+  const bool isShort = std::isnan(real) || static_cast<double>(asReal) == real;  // else: what no REAL is
+  if (type == SignalType::Real && isShort) {
     fmt::format_to(std::back_inserter(text), "{}", asReal);
   } else if (isInteger) {
+    const fmt::format_int digits(static_cast<std::uint64_t>(number));
+    text.append(digits.data(), digits.size());
+  } else if (isWholeType && std::trunc(number) == number && number >= -0x1p63L && number < 0) {
     const fmt::format_int digits(static_cast<std::int64_t>(number));
     text.append(digits.data(), digits.size());
   } else {
-    fmt::format_to(std::back_inserter(text), "{}", number);
+    fmt::format_to(std::back_inserter(text), "{}", real);
   }
 }
 
 namespace {
 
 void sampleInto(const Concrete::Store& store, const std::vector<TraceSignal>& signals,
-                std::vector<std::optional<double>>& values) {
+                std::vector<std::optional<TraceNumber>>& values) {
   const bool isRunning = store.get(Reg::Running, 0) != 0;
   values.clear();
   values.reserve(signals.size());
@@ -324,8 +332,9 @@ void sampleInto(const Concrete::Store& store, const std::vector<TraceSignal>& si
 
 }  // namespace
 
-std::vector<std::optional<double>> sampleValues(const Concrete::Store& store, const std::vector<TraceSignal>& signals) {
-  std::vector<std::optional<double>> values;
+std::vector<std::optional<TraceNumber>> sampleValues(const Concrete::Store& store,
+                                                     const std::vector<TraceSignal>& signals) {
+  std::vector<std::optional<TraceNumber>> values;
   sampleInto(store, signals, values);
   return values;
 }

@@ -12,14 +12,17 @@
 #include <vector>
 
 #include "engine/concrete.hpp"
+#include "engine/trace_number.hpp"
 #include "ir/program.hpp"
 
 namespace rungproof {
 
 class Simulator;
 
-/// Number: any number, of a column that no program explains.
-enum class SignalType : std::uint8_t { Bool, Unsigned, Signed, Real, Number };
+/// LongReal: LREAL. Number: any number, of a column that no program explains.
+enum class SignalType : std::uint8_t { Bool, Unsigned, Signed, Real, LongReal, Number };
+/// REAL or LREAL, by its width in bits.
+constexpr SignalType realOf(int width) { return width == 64 ? SignalType::LongReal : SignalType::Real; }
 
 /// One column of a trace.
 struct TraceSignal {
@@ -30,17 +33,17 @@ struct TraceSignal {
   SignalType type = SignalType::Bool;
 
   int width() const { return operand.isMemory() ? bits(operand.width) : type == SignalType::Bool ? 1 : 32; }
-  bool isReal() const { return type == SignalType::Real || type == SignalType::Number; }
+  bool isReal() const { return type == SignalType::Real || type == SignalType::LongReal || type == SignalType::Number; }
 };
 
 struct TraceRow {
-  std::uint64_t scan = 0;                     ///< from 1; 0 in a trace that is keyed by time
-  std::uint64_t timeUs = 0;                   ///< end of the scan, since power-up; keyed by time: the moment as written
-  std::uint32_t scanUs = 0;                   ///< length of the scan, 0 if not known
-  std::vector<std::optional<double>> values;  ///< by signal; nothing: any value
-  std::string events{};                       ///< interrupts of the scan at their places, as a stimulus writes them
-  std::string devices{};                      ///< what devices wrote, as a stimulus writes it
-  std::string given{};  ///< Trace::isWhole: what else the surroundings did, as a stimulus writes it
+  std::uint64_t scan = 0;    ///< from 1; 0 in a trace that is keyed by time
+  std::uint64_t timeUs = 0;  ///< end of the scan, since power-up; keyed by time: the moment as written
+  std::uint32_t scanUs = 0;  ///< length of the scan, 0 if not known
+  std::vector<std::optional<TraceNumber>> values;  ///< by signal; nothing: any value
+  std::string events{};   ///< interrupts of the scan at their places, as a stimulus writes them
+  std::string devices{};  ///< what devices wrote, as a stimulus writes it
+  std::string given{};    ///< Trace::isWhole: what else the surroundings did, as a stimulus writes it
   /// Trace::hasTwoSides: the same of the second program; those above are the first one's.
   std::string newEvents{}, newDevices{}, newGiven{};
 };
@@ -82,14 +85,15 @@ TraceSignal signalOf(const Program& program, const Operand& operand);
 std::vector<TraceSignal> touchedSignals(const Program& program);
 
 /// The number that `width` bits mean, and back; numbers outside the range are reduced to the width.
-double numberOf(std::uint64_t value, SignalType type, int width);
-std::uint64_t valueOf(double number, SignalType type, int width);
+TraceNumber numberOf(std::uint64_t value, SignalType type, int width);
+std::uint64_t valueOf(TraceNumber number, SignalType type, int width);
 /// "1", "-20", "1.5": shortest text that reads back as the same number.
-std::string numberText(double number, SignalType type);
-void appendNumber(double number, SignalType type, std::string& text);
+std::string numberText(TraceNumber number, SignalType type);
+void appendNumber(TraceNumber number, SignalType type, std::string& text);
 
 /// Values of the signals in a state at the end of a scan. In STOP, Q shows the physical outputs.
-std::vector<std::optional<double>> sampleValues(const Concrete::Store& store, const std::vector<TraceSignal>& signals);
+std::vector<std::optional<TraceNumber>> sampleValues(const Concrete::Store& store,
+                                                     const std::vector<TraceSignal>& signals);
 /// The same with number, time and length of the simulator's last scan.
 TraceRow sampleRow(const Simulator& simulator, const std::vector<TraceSignal>& signals);
 /// The same into a row that is there.

@@ -8,7 +8,7 @@ namespace rungproof {
 
 namespace {
 
-bool agree(double expected, double actual, double tolerance, SignalType type) {
+bool agree(TraceNumber expected, TraceNumber actual, double tolerance, SignalType type) {
   if (expected == actual || (std::isnan(expected) && std::isnan(actual))) return true;
   if (type == SignalType::Real && static_cast<float>(expected) == static_cast<float>(actual)) return true;
   return std::abs(expected - actual) <= tolerance;
@@ -133,7 +133,7 @@ std::vector<TraceDifference> differences(const Trace& expected, const Trace& act
     const TraceRow& row = expected.rows[e];
     const std::optional<std::size_t> match = matchingRow(expected, row, actual);
     for (const Pair& pair : pairs) {
-      const std::optional<double> wanted = row.values[pair.expected];
+      const std::optional<TraceNumber> wanted = row.values[pair.expected];
       if (!wanted) continue;
       TraceDifference difference{e, match, pair.expected, row.scan, row.timeUs, *wanted, std::nullopt};
       if (list.size() >= most) return list;
@@ -145,7 +145,7 @@ std::vector<TraceDifference> differences(const Trace& expected, const Trace& act
       const std::size_t high = std::min<std::size_t>(*match + options.slack, actual.rows.size() - 1);
       bool found = false;
       for (std::size_t a = low; a <= high && !found; ++a) {
-        const std::optional<double> seen = actual.rows[a].values[pair.actual];
+        const std::optional<TraceNumber> seen = actual.rows[a].values[pair.actual];
         found = seen && agree(*wanted, *seen, pair.tolerance, pair.type);
       }
       if (found) continue;

@@ -33,8 +33,8 @@ struct TraceDifference {
   std::size_t expectedSignal = 0;        ///< index in the expected trace
   std::uint64_t scan = 0;
   std::uint64_t timeUs = 0;
-  double expected = 0;
-  std::optional<double> actual;  ///< nothing: the actual trace has no value there
+  TraceNumber expected = 0;
+  std::optional<TraceNumber> actual;  ///< nothing: the actual trace has no value there
 };
 
 /// The signals of a trace by address and name: what Trace::indexOf() says, without a look at each of them.

@@ -31,9 +31,9 @@ std::string_view resultKindName(ResultKind kind) {
   return kind == ResultKind::Prove ? "prove" : kind == ResultKind::Reach ? "reach" : "builtin";
 }
 
-std::string plainNumber(double value) {
-  const bool isWhole = std::nearbyint(value) == value && std::abs(value) < 9e15;
-  return isWhole ? fmt::format("{:.0f}", value) : fmt::format("{:g}", value);
+std::string plainNumber(TraceNumber value) {
+  const bool isWhole = std::trunc(value) == value && std::abs(value) < 0x1p64L;
+  return isWhole ? fmt::format("{:.0f}", value) : fmt::format("{:g}", static_cast<double>(value));
 }
 
 std::string differenceText(const Comparison& comparison) {

@@ -14,6 +14,7 @@
 
 #include "analysis/schedule/technique.hpp"
 #include "analysis/witness/outcome.hpp"
+#include "engine/trace_number.hpp"
 #include "frontend/acceptance_record.hpp"
 #include "frontend/compared_block.hpp"
 #include "frontend/files/exit.hpp"
@@ -78,8 +79,8 @@ struct Comparison {
   int scan = 0;
   double timeMs = 0;
   std::string signal;
-  double expected = 0;
-  double actual = 0;
+  TraceNumber expected = 0;
+  TraceNumber actual = 0;
   std::vector<std::string> signals;  ///< names of the columns of `around`
   std::vector<ComparedScan> around;  ///< scans before and after the difference
   bool hasEnded = false;             ///< the trace ends before that scan: there is no actual value
@@ -97,7 +98,7 @@ struct Comparison {
 };
 
 /// Whole numbers with all their digits, others with six: "1476000", "0.05".
-std::string plainNumber(double value);
+std::string plainNumber(TraceNumber value);
 /// "scan 7, 70 ms, Q0.0: expected 1, actual 0", of programs "OLD 1, NEW 0"; or that the trace ends before, or why
 /// nothing is decided.
 std::string differenceText(const Comparison& comparison);

@@ -27,7 +27,7 @@ BenchRows::BenchRows(const Program& program, const TestSignals& signals, const S
   columns_.expects = signals.outputs;
 }
 
-std::string BenchRows::stepText(const TraceSignal& signal, double from, double to, bool isAtPowerOn) {
+std::string BenchRows::stepText(const TraceSignal& signal, TraceNumber from, TraceNumber to, bool isAtPowerOn) {
   if (isAtPowerOn)
     return fmt::format("power on with {} {}", signalText(signal),
                        signal.type == SignalType::Bool ? "on" : "at " + numberText(to, signal.type));
@@ -38,7 +38,7 @@ std::string BenchRows::stepText(const TraceSignal& signal, double from, double t
 
 TestCase BenchRows::caseOf(const BenchTest& steps, Looks looks) const {
   TestCase test;
-  std::vector<double> values(signals_.inputs.size(), 0);
+  std::vector<TraceNumber> values(signals_.inputs.size(), 0);
   for (const BenchStep& step : steps) {
     TestRow row;
     row.wait = step.wait;
@@ -93,7 +93,7 @@ void BenchRows::expectValues(TestCase& test) const {
   std::size_t next = 0;
   play.afterScan = [&](const Simulator& now, std::size_t) {
     for (; next < times.size() && times[next].compares == now.scanCount(); ++next) {
-      const std::vector<std::optional<double>> values = sampleValues(now.store(), signals_.outputs);
+      const std::vector<std::optional<TraceNumber>> values = sampleValues(now.store(), signals_.outputs);
       for (std::size_t i = 0; i < values.size(); ++i) {
         if (values[i]) test.rows[next].expects[i] = TestRange{*values[i], *values[i]};
       }

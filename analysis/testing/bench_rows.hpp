@@ -29,7 +29,7 @@ class BenchRows {
   static bool giveUpEarlyLooks(TestCase& test, const std::vector<std::set<std::size_t>>& failing);
 
  private:
-  static std::string stepText(const TraceSignal& signal, double from, double to, bool isAtPowerOn);
+  static std::string stepText(const TraceSignal& signal, TraceNumber from, TraceNumber to, bool isAtPowerOn);
 
   const Program& program_;
   const TestSignals& signals_;

@@ -117,7 +117,7 @@ class BenchSearch::Impl {
   /// What tells states apart while a step runs.
   struct Look {
     std::vector<char> leaves;
-    std::vector<std::optional<double>> outputs;
+    std::vector<std::optional<TraceNumber>> outputs;
     friend bool operator==(const Look&, const Look&) = default;
   };
 
@@ -138,14 +138,14 @@ class BenchSearch::Impl {
     std::vector<BenchStep> steps;
     if (from == 0) steps.push_back({{}, {shortWait, 0}});
     for (std::size_t i = 0; i < signals_.inputs.size(); ++i) {
-      for (const double value : signals_.inputs[i].values) {
+      for (const TraceNumber value : signals_.inputs[i].values) {
         if (value != nodes_[from].inputs[i]) steps.push_back({{{i, value}}, {shortWait, 0}});
       }
     }
     if (isTimed_ && from != 0) steps.push_back({{}, untilRest});
     if (!isQuick_ || !isTimed_) return steps;
     for (std::size_t i = 0; i < signals_.inputs.size(); ++i) {
-      for (const double value : signals_.inputs[i].values) {
+      for (const TraceNumber value : signals_.inputs[i].values) {
         if (value != nodes_[from].inputs[i]) steps.push_back({{{i, value}}, {1, 0}});
       }
     }
@@ -226,7 +226,7 @@ class BenchSearch::Impl {
     const bool waits = step.wait.scans == 0 && !step.wait.isTime();
     if (waits ? !runUntilRest(step) : !runSettled(step)) return std::nullopt;
     const Look now = look();
-    const std::vector<std::optional<double>> numbers = sampleValues(runs_[0]->simulator->store(), signals_.memory);
+    const std::vector<std::optional<TraceNumber>> numbers = sampleValues(runs_[0]->simulator->store(), signals_.memory);
     bool differs = lookOfShort(from, step) != now;
     if (differs && isTimed_ && !step.wait.isTime() && step.wait.scans > 1) {
       // Time has come in between: the wait is one of time, so that it has come with short scans too.
@@ -235,11 +235,15 @@ class BenchSearch::Impl {
     }
     const bool isFragile = nodes_[from].isFragile || differs;
 
-    std::vector<double> inputs = nodes_[from].inputs;
+    std::vector<TraceNumber> inputs = nodes_[from].inputs;
     for (const auto& [input, value] : step.changes) inputs[input] = value;
     std::string key(now.leaves.begin(), now.leaves.end());
-    const auto addNumber = [&](double value) { key.append(reinterpret_cast<const char*>(&value), sizeof value); };
-    for (const double value : inputs) addNumber(value);
+    const auto addNumber = [&](TraceNumber value) {
+      const auto most = static_cast<double>(value);
+      for (const double part : {most, static_cast<double>(value - most)})
+        key.append(reinterpret_cast<const char*>(&part), sizeof part);
+    };
+    for (const TraceNumber value : inputs) addNumber(value);
     for (const auto& value : now.outputs) addNumber(value.value_or(-1));
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       if (!clocks_.contains(i)) addNumber(numbers[i].value_or(-1));
@@ -280,7 +284,7 @@ class BenchSearch::Impl {
   bool runSettled(BenchStep& step) {
     std::uint64_t changed = 0, scans = 0;
     Look last;
-    std::vector<std::optional<double>> numbers;
+    std::vector<std::optional<TraceNumber>> numbers;
     const std::uint64_t asked = scansOf(step.wait, runs_[0]->scanUs);
     const auto needed = [&] {
       return asked == 1 ? asked : std::max(asked, std::min(changed + skewScans, mostSettling));
@@ -288,7 +292,7 @@ class BenchSearch::Impl {
     for (; scans < needed(); ++scans) {
       if (!scanObserved()) return false;
       Look now = look();
-      std::vector<std::optional<double>> next = sampleValues(runs_[0]->simulator->store(), signals_.memory);
+      std::vector<std::optional<TraceNumber>> next = sampleValues(runs_[0]->simulator->store(), signals_.memory);
       if (now != last)
         changed = scans + 1;
       else if (scans > changed)
@@ -335,7 +339,7 @@ class BenchSearch::Impl {
   std::uint64_t middleOfStretch(std::uint64_t scans, std::uint64_t changed) {
     Simulator& simulator = *runs_[0]->simulator;
     const BenchState kept = stateOf(0);
-    const std::vector<std::optional<double>> outputs = sampleValues(simulator.store(), signals_.outputs);
+    const std::vector<std::optional<TraceNumber>> outputs = sampleValues(simulator.store(), signals_.outputs);
     simulator.observe(nullptr);
     std::uint64_t next = 0;
     for (std::uint64_t i = scans; next == 0 && i < scans + changed + leastStretch; ++i) {
@@ -398,7 +402,8 @@ class BenchSearch::Impl {
   }
 
   /// A number that moves in scan after scan while nothing else does is a clock.
-  void noteClocks(const std::vector<std::optional<double>>& before, const std::vector<std::optional<double>>& now) {
+  void noteClocks(const std::vector<std::optional<TraceNumber>>& before,
+                  const std::vector<std::optional<TraceNumber>>& now) {
     moving_.resize(now.size(), 0);
     for (std::size_t i = 0; i < before.size(); ++i) {
       moving_[i] = before[i] != now[i] ? moving_[i] + 1 : 0;

@@ -19,7 +19,7 @@ namespace rungproof {
 
 /// A step at the bench: what is changed, and how long it is waited.
 struct BenchStep {
-  std::vector<std::pair<std::size_t, double>> changes;  ///< input and its value; empty: only time passes
+  std::vector<std::pair<std::size_t, TraceNumber>> changes;  ///< input and its value; empty: only time passes
   TestWait wait{};
 };
 
@@ -37,7 +37,7 @@ class BenchSearch {
   struct Node {
     std::size_t parent = 0;
     BenchStep step;
-    std::vector<double> inputs;
+    std::vector<TraceNumber> inputs;
     std::size_t depth = 0;
     bool isFragile = false;
   };

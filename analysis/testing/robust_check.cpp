@@ -35,7 +35,7 @@ RobustCheck::RobustCheck(const Program& program, TestTable columns, const Robust
       random_(options.seed) {}
 
 void RobustCheck::compare(const TestRow& row, const Concrete::Store& state, std::set<std::size_t>& failing) const {
-  const std::vector<std::optional<double>> values = sampleValues(state, columns_.expects);
+  const std::vector<std::optional<TraceNumber>> values = sampleValues(state, columns_.expects);
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (row.expects[i] && !(values[i] && row.expects[i]->holds(*values[i]))) failing.insert(i);
   }

@@ -139,7 +139,7 @@ class Generator {
   /// A run of the prover as steps at the bench; of inputs that change in one scan those that rise come first or last.
   BenchTest stepsOf(const std::vector<ReplayScan>& run, bool risesFirst, std::uint64_t scans) const {
     Concrete::Store image(map_.plan());
-    std::vector<double> values(signals_.inputs.size(), 0);
+    std::vector<TraceNumber> values(signals_.inputs.size(), 0);
     BenchTest steps;
     std::uint64_t restMs = 0;
     for (const ReplayScan& scan : run) {
@@ -147,9 +147,9 @@ class Generator {
         const Operand& o = preset.operand;
         image.save(o.area, o.offset * 8 + (o.width == Width::Bit ? o.bit : 0U), bits(o.width), preset.value, true);
       }
-      std::vector<std::pair<std::size_t, double>> changes;
+      std::vector<std::pair<std::size_t, TraceNumber>> changes;
       for (std::size_t i = 0; i < values.size(); ++i) {
-        const double now = sampleValues(image, {signals_.inputs[i].signal}).front().value_or(0);
+        const TraceNumber now = sampleValues(image, {signals_.inputs[i].signal}).front().value_or(0);
         if (now == values[i]) continue;
         changes.emplace_back(i, now);
         values[i] = now;
@@ -249,14 +249,14 @@ class Generator {
     const TestWait rest{sweepScans, 0};
     for (std::size_t number = 0; number < signals_.inputs.size(); ++number) {
       if (isSwitch(number)) continue;
-      std::vector<double> values = signals_.inputs[number].values;
+      std::vector<TraceNumber> values = signals_.inputs[number].values;
       std::ranges::sort(values);
       for (std::size_t on = 0; on <= signals_.inputs.size(); ++on) {
         const bool isPlain = on == signals_.inputs.size();
         if (!isPlain && !isSwitch(on)) continue;
         BenchTest steps = {{{}, rest}};
         if (!isPlain) steps.push_back({{{on, 1.0}}, rest});
-        for (const double value : values) steps.push_back({{{number, value}}, rest});
+        for (const TraceNumber value : values) steps.push_back({{{number, value}}, rest});
         for (auto value = values.rbegin(); value != values.rend(); ++value) steps.push_back({{{number, *value}}, rest});
         sweeps.push_back(std::move(steps));
       }

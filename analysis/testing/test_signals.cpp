@@ -28,9 +28,9 @@ bool isWithin(const Operand& operand, const ExternalRange& range) {
 
 /// Constants of instructions that name the operand too, which compares or computes with it, and all others of
 /// expressions, whose comparisons take both from the stack.
-std::vector<double> valuesFor(const Program& program, const TraceSignal& signal) {
+std::vector<TraceNumber> valuesFor(const Program& program, const TraceSignal& signal) {
   if (signal.type == SignalType::Bool) return {0, 1};
-  std::set<double> constants;
+  std::set<TraceNumber> constants;
   const StatementForm form = formOf(program.target);
   const bool isStack = form != StatementForm::Rungs, isOfExpressions = form == StatementForm::Expressions;
   for (const Pou& pou : program.pous) {
@@ -57,16 +57,16 @@ std::vector<double> valuesFor(const Program& program, const TraceSignal& signal)
       }
     }
   }
-  std::vector<double> values{0};
-  const double range = std::exp2(signal.width()), low = signal.type == SignalType::Signed ? -range / 2 : 0,
-               high = signal.type == SignalType::Signed ? range / 2 - 1 : range - 1;
-  const auto add = [&](double value) {
+  std::vector<TraceNumber> values{0};
+  const TraceNumber range = std::exp2l(signal.width()), low = signal.type == SignalType::Signed ? -range / 2 : 0,
+                    high = signal.type == SignalType::Signed ? range / 2 - 1 : range - 1;
+  const auto add = [&](TraceNumber value) {
     const bool fits = signal.isReal() || (value >= low && value <= high && value == std::floor(value));
     if (fits && std::isfinite(value) && std::ranges::find(values, value) == values.end() && values.size() < mostValues)
       values.push_back(value);
   };
-  for (const double constant : constants) {
-    for (const double value : {constant, constant - 1, constant + 1}) add(value);
+  for (const TraceNumber constant : constants) {
+    for (const TraceNumber value : {constant, constant - 1, constant + 1}) add(value);
   }
   if (values.size() == 1) add(1);
   return values;
@@ -95,7 +95,7 @@ TestSignals testSignalsOf(const Program& program, const PropertySet& set) {
                               : operand.area == Area::Q || operand.area == Area::AQ || operand.area == Area::PQ;
     if (isOutput && isWritten(program, operand, Actuals::Written)) result.outputs.push_back(signal);
     const bool isMemory = operand.area != Area::T && operand.area != Area::SM && operand.area != Area::HC &&
-                          operand.area != Area::AC && signal.type != SignalType::Real;
+                          operand.area != Area::AC && !signal.isReal();
     if (isMemory) result.memory.push_back(signal);
   }
   // Of a part of a program what it writes stands for its outputs: bits, or numbers where there are none.

@@ -12,7 +12,7 @@ namespace rungproof {
 
 struct TestInput {
   TraceSignal signal;
-  std::vector<double> values;  ///< 0 and 1; of a number limits that the program compares with, one below and above
+  std::vector<TraceNumber> values;  ///< 0 and 1; of a number limits that the program compares with, one below and above
 };
 
 struct TestSignals {

@@ -58,7 +58,7 @@ TestPlay playTest(Simulator& simulator, const TestTable& table, const TestCase& 
       if (isOver()) break;
     }
     for (; compared < times.size() && times[compared].compares == scan; ++compared) {
-      const std::vector<std::optional<double>> values = sampleValues(simulator.store(), table.expects);
+      const std::vector<std::optional<TraceNumber>> values = sampleValues(simulator.store(), table.expects);
       for (std::size_t i = 0; i < table.expects.size() && !isOver(); ++i) {
         const std::optional<TestRange>& expected = test.rows[compared].expects[i];
         if (!expected || (values[i] && expected->holds(*values[i]))) continue;

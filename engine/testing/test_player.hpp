@@ -24,7 +24,7 @@ std::vector<StepTimes> stepTimesOf(const TestCase& test, const ScanLength& lengt
 struct TestFailure {
   std::size_t step = 0;                 ///< index of the row
   std::optional<std::size_t> signal{};  ///< of TestTable::expects; nothing: the CPU stopped
-  double actual = 0;
+  TraceNumber actual = 0;
   std::uint64_t scan = 0;
   std::uint64_t timeUs = 0;
 };

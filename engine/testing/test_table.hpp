@@ -23,16 +23,16 @@ std::string waitText(const TestWait& wait);
 
 /// An expected value: all from low to high.
 struct TestRange {
-  double low = 0, high = 0;
+  TraceNumber low = 0, high = 0;
 
-  bool holds(double value) const { return low <= value && value <= high; }
+  bool holds(TraceNumber value) const { return low <= value && value <= high; }
 };
 std::string rangeText(const TestRange& range, SignalType type);
 
 struct TestRow {
   std::string step{};  ///< text
   TestWait wait{};
-  std::vector<std::optional<double>> sets{};        ///< by column; nothing: keeps its value
+  std::vector<std::optional<TraceNumber>> sets{};   ///< by column; nothing: keeps its value
   std::vector<std::optional<TestRange>> expects{};  ///< by column; nothing: any value
   std::string note{};
   std::uint32_t line = 0;  ///< in the file, from 1

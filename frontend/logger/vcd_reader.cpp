@@ -216,10 +216,10 @@ class VcdReader {
   std::string cellText(const Token& token, std::string_view text, char sign, const VcdVariable& variable) {
     if (sign == 's' || sign == 'S') return "";
     if (sign == 'r' || sign == 'R') {
-      const std::optional<double> number = numberIn(text);
+      const std::optional<TraceNumber> number = numberIn(text);
       if (!number)
         fail(token, fmt::format("'{}' is no number", token.text), "write r and a decimal number, such as r1.5");
-      return number && std::isfinite(*number) ? numberText(*number, SignalType::Real) : "";
+      return number && std::isfinite(*number) ? numberText(*number, SignalType::LongReal) : "";
     }
     if (text.empty() || text.find_first_not_of("01xXzZuUwWlLhH-") != std::string_view::npos) {
       fail(token, fmt::format("'{}' holds something else than 0, 1, x and z", token.text), "export the dump again");

@@ -110,7 +110,7 @@ class VariableFlow {
     const int width = bits(variable.width);
     const SignalType type = width == 1                           ? SignalType::Bool
                             : known == program_.valueTypes.end() ? SignalType::Unsigned
-                            : known->second == ValueType::Real   ? SignalType::Real
+                            : known->second == ValueType::Real   ? realOf(width)
                             : known->second == ValueType::Signed ? SignalType::Signed
                                                                  : SignalType::Unsigned;
     return numberText(numberOf(*value, type, width), type);

@@ -17,9 +17,11 @@ namespace {
 Json textOrNull(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
 /// Whole numbers without a decimal point, as traces hold mostly bits and words.
-Json number(double value) {
-  const bool whole = std::nearbyint(value) == value && std::abs(value) < 9e15;
-  return whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
+Json number(TraceNumber value) {
+  const bool isWhole = std::trunc(value) == value;
+  if (isWhole && value >= -0x1p63L && value < 0x1p63L) return Json(static_cast<std::int64_t>(value));
+  if (isWhole && value >= 0x1p63L && value < 0x1p64L) return Json(static_cast<std::uint64_t>(value));
+  return Json(static_cast<double>(value));
 }
 
 Json findingJson(const Finding& finding, const SourceSet& sources) {

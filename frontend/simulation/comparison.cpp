@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t columnsAround = 8;
 
-std::string cellText(const std::optional<double>& value, const TraceSignal& signal) {
+std::string cellText(const std::optional<TraceNumber>& value, const TraceSignal& signal) {
   return value ? numberText(*value, signal.type) : "";
 }
 
@@ -39,7 +39,7 @@ Comparison comparisonOf(const Trace& expected, const Trace& actual, const std::o
   result.signal = expected.signals[difference->expectedSignal].name;
   result.expected = difference->expected;
   result.hasEnded = !difference->actual.has_value();
-  result.actual = difference->actual.value_or(std::numeric_limits<double>::quiet_NaN());
+  result.actual = difference->actual.value_or(std::numeric_limits<TraceNumber>::quiet_NaN());
   const std::vector<std::size_t> columns = columnsShown(expected, difference->expectedSignal);
   for (const std::size_t i : columns) result.signals.push_back(expected.signals[i].name);
   if (actual.rows.empty()) return result;
@@ -67,7 +67,7 @@ Comparison comparisonOf(const Trace& expected, const Trace& actual, const std::o
 
 bool expectsAnything(const Trace& expected) {
   return std::ranges::any_of(expected.rows, [](const TraceRow& row) {
-    return std::ranges::any_of(row.values, [](const std::optional<double>& value) { return value.has_value(); });
+    return std::ranges::any_of(row.values, [](const std::optional<TraceNumber>& value) { return value.has_value(); });
   });
 }
 

@@ -28,7 +28,7 @@ void setFirst(Stimulus& stimulus, std::span<const std::string> given, const Prog
       continue;
     }
     std::string reason;
-    const std::optional<double> value = valueIn(text.substr(equals + 1), column->signal, reason);
+    const std::optional<TraceNumber> value = valueIn(text.substr(equals + 1), column->signal, reason);
     if (!value) {
       failures.push_back({fmt::format("{} cannot be set: {}", text.substr(0, equals), reason)});
       continue;

@@ -61,15 +61,15 @@ LibraryColumns::LibraryColumns(const Program& program, const Witness& witness) {
     TraceSignal& signal = signals_.emplace_back();
     signal.name = column.name;
     signal.type = signalTypeOf(column.type);
-    std::map<std::size_t, double>& values = values_.emplace_back();
+    std::map<std::size_t, TraceNumber>& values = values_.emplace_back();
     for (const auto& [scan, value] : column.values)
       values[scan] = numberOf(value, signal.type, bits(widthOf(column.type)));
   }
 }
 
-std::vector<std::optional<double>> LibraryColumns::valuesIn(std::size_t scan) const {
-  std::vector<std::optional<double>> row;
-  for (const std::map<std::size_t, double>& values : values_) {
+std::vector<std::optional<TraceNumber>> LibraryColumns::valuesIn(std::size_t scan) const {
+  std::vector<std::optional<TraceNumber>> row;
+  for (const std::map<std::size_t, TraceNumber>& values : values_) {
     const auto found = values.find(scan);
     row.push_back(found == values.end() ? std::nullopt : std::optional(found->second));
   }

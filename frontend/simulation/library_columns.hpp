@@ -20,11 +20,11 @@ class LibraryColumns {
 
   const std::vector<TraceSignal>& signals() const { return signals_; }
   /// By signal; nothing where the block is not called.
-  std::vector<std::optional<double>> valuesIn(std::size_t scan) const;
+  std::vector<std::optional<TraceNumber>> valuesIn(std::size_t scan) const;
 
  private:
   std::vector<TraceSignal> signals_;
-  std::vector<std::map<std::size_t, double>> values_;  ///< by signal, by scan
+  std::vector<std::map<std::size_t, TraceNumber>> values_;  ///< by signal, by scan
 };
 
 /// Type of the values of an output in traces and stimuli.

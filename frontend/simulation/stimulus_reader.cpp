@@ -262,10 +262,10 @@ class TableReader {
     return list;
   }
 
-  std::optional<double> value(const CsvCell& cell, const TraceSignal& signal) {
+  std::optional<TraceNumber> value(const CsvCell& cell, const TraceSignal& signal) {
     if (isOpen(cell.text)) return std::nullopt;
     std::string reason;
-    const std::optional<double> result = valueIn(cell.text, signal, reason);
+    const std::optional<TraceNumber> result = valueIn(cell.text, signal, reason);
     if (!result)
       fail(cell, reason,
            signal.type == SignalType::Bool

@@ -39,7 +39,7 @@ bool isIdle(const Witness& witness, std::size_t scan, const Operand& signal) {
 
 /// The same texts for sure: the same events and the same bits of every number.
 bool areSame(const TraceRow& a, const TraceRow& b) {
-  const auto isEqual = [](const std::optional<double>& x, const std::optional<double>& y) {
+  const auto isEqual = [](const std::optional<TraceNumber>& x, const std::optional<TraceNumber>& y) {
     return x.has_value() == y.has_value() &&
            (!x || std::bit_cast<std::uint64_t>(*x) == std::bit_cast<std::uint64_t>(*y));
   };
@@ -85,7 +85,7 @@ Trace traceOf(const Program& program, const Choices& choices, const Witness& wit
                                       : numberOf(valueIn(state, signal.operand), signal.type, signal.width()));
              if (hidesIdle && isIdle(witness, at, signal.operand)) row.values.back().reset();
            }
-           for (const std::optional<double>& value : libraries.valuesIn(at)) row.values.push_back(value);
+           for (const std::optional<TraceNumber>& value : libraries.valuesIn(at)) row.values.push_back(value);
            trace.rows.push_back(std::move(row));
            return true;
          });

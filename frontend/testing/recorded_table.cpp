@@ -62,7 +62,7 @@ TestTable recordedTable(const Program& program, const PropertySet& set, const Tr
     row.step = begin == 0 ? "power on" : setsSomething ? "change inputs" : "wait";
     for (const std::size_t i : inputs) row.sets.push_back(setsSomething ? trace.rows[begin].values[i] : std::nullopt);
     for (const std::size_t i : outputs) {
-      const std::optional<double>& value = trace.rows[begin].values[i];
+      const std::optional<TraceNumber>& value = trace.rows[begin].values[i];
       row.expects.push_back(value ? std::optional(TestRange{*value, *value}) : std::nullopt);
     }
     const bool isLast = end == trace.rows.size();

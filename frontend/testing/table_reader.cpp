@@ -140,22 +140,22 @@ class TestTableReader {
     result_.tests.back().rows.push_back(std::move(row));
   }
 
-  std::optional<double> number(std::size_t column, const CsvCell& cell, std::string_view text,
-                               const TraceSignal& signal) {
+  std::optional<TraceNumber> number(std::size_t column, const CsvCell& cell, std::string_view text,
+                                    const TraceSignal& signal) {
     std::string reason;
     const std::string plain = plainCell(strippedCell(text), table_.separator != ',');
-    std::optional<double> result = valueIn(plain, signal, reason);
+    std::optional<TraceNumber> result = valueIn(plain, signal, reason);
     if (!result)
       failIn(column, cell, reason,
              signal.type == SignalType::Bool ? "write 0 or 1, or leave the cell empty"
                                              : "write a number of its type, or leave the cell empty");
     // A REAL is compared as the controller holds it.
-    if (result && signal.type == SignalType::Real)
+    if (result && (signal.type == SignalType::Real || signal.type == SignalType::LongReal))
       result = numberOf(valueOf(*result, signal.type, signal.width()), signal.type, signal.width());
     return result;
   }
 
-  std::optional<double> value(std::size_t column, const CsvCell& cell, const TraceSignal& signal) {
+  std::optional<TraceNumber> value(std::size_t column, const CsvCell& cell, const TraceSignal& signal) {
     return isOpenCell(cell.text) ? std::nullopt : number(column, cell, cell.text, signal);
   }
 
@@ -163,11 +163,11 @@ class TestTableReader {
     if (isOpenCell(cell.text)) return std::nullopt;
     const std::size_t dots = cell.text.find("..");
     if (dots == std::string::npos) {
-      const std::optional<double> one = number(column, cell, cell.text, signal);
+      const std::optional<TraceNumber> one = number(column, cell, cell.text, signal);
       return one ? std::optional(TestRange{*one, *one}) : std::nullopt;
     }
-    const std::optional<double> low = number(column, cell, std::string_view(cell.text).substr(0, dots), signal);
-    const std::optional<double> high = number(column, cell, std::string_view(cell.text).substr(dots + 2), signal);
+    const std::optional<TraceNumber> low = number(column, cell, std::string_view(cell.text).substr(0, dots), signal);
+    const std::optional<TraceNumber> high = number(column, cell, std::string_view(cell.text).substr(dots + 2), signal);
     if (!low || !high) return std::nullopt;
     if (*low > *high) {
       failIn(column, cell, fmt::format("the range {} is empty", cell.text), "write the lower end first: 100..200");

@@ -81,7 +81,7 @@ void showFailure(const Program& program, const TestTable& table, const TestCase&
     TestResult::Scan& row = result.around.emplace_back();
     row.scan = scan;
     row.timeMs = static_cast<double>(simulator.timeUs()) / 1000;
-    const std::vector<std::optional<double>> values = sampleValues(simulator.store(), signals);
+    const std::vector<std::optional<TraceNumber>> values = sampleValues(simulator.store(), signals);
     for (std::size_t i = 0; i < signals.size(); ++i)
       row.values.push_back(values[i] ? numberText(*values[i], signals[i].type) : "");
     if (draws && scan == failure.scan) {

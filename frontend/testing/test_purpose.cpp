@@ -16,10 +16,10 @@ constexpr std::size_t mostClauses = 3;
 /// A step that changes one input, and what the outputs did.
 struct Attempt {
   std::size_t input = 0;
-  double value = 0;
-  std::vector<double> others;  ///< all inputs behind the step
-  bool hasChanged = false;     ///< some output
-  bool isWhole = true;         ///< all outputs are compared, here and before
+  TraceNumber value = 0;
+  std::vector<TraceNumber> others;  ///< all inputs behind the step
+  bool hasChanged = false;          ///< some output
+  bool isWhole = true;              ///< all outputs are compared, here and before
 };
 
 class PurposeWriter {
@@ -54,7 +54,7 @@ class PurposeWriter {
   /// Calls `visit` with each row, the attempt that it is (or nullptr), and the outputs that change in words.
   template <class Visit>
   void walk(const TestCase& test, const Visit& visit) const {
-    std::vector<double> inputs(table_.sets.size(), 0);
+    std::vector<TraceNumber> inputs(table_.sets.size(), 0);
     std::vector<std::optional<TestRange>> outputs(table_.expects.size(), TestRange{0, 0});
     for (const TestRow& row : test.rows) {
       std::vector<std::size_t> set;
@@ -82,7 +82,7 @@ class PurposeWriter {
     if (signal.type == SignalType::Bool) return signalText(signal) + (now.low != 0 ? " comes" : " goes");
     return fmt::format("{} becomes {}", signalText(signal), rangeText(now, signal.type));
   }
-  std::string stateText(std::size_t input, double value) const {
+  std::string stateText(std::size_t input, TraceNumber value) const {
     const TraceSignal& signal = table_.sets[input].signal;
     if (signal.type == SignalType::Bool) return fmt::format("{} is {}", signalText(signal), value != 0 ? "on" : "off");
     return fmt::format("{} is {}", signalText(signal), numberText(value, signal.type));

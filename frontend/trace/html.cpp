@@ -13,6 +13,12 @@ namespace rungproof {
 
 namespace {
 
+/// The page's own numbers are doubles: what they would round is a text.
+Json cellJson(TraceNumber value) {
+  if (std::abs(value) < 0x1p53L || std::trunc(value) != value) return Json(static_cast<double>(value));
+  return Json(numberText(value, SignalType::Signed));
+}
+
 constexpr std::string_view style = R"(
 body{font:14px/1.4 system-ui,sans-serif;margin:1em;color:#1a1f26;background:#fff}
 button{font:inherit;padding:.1em .6em}
@@ -145,7 +151,7 @@ std::string dataJson(const Trace& trace, const TraceDrawings& drawings, const Ex
   }
   for (const TraceRow& row : trace.rows) {
     Json values = Json::array();
-    for (const std::optional<double>& value : row.values) values.push_back(value ? Json(*value) : Json());
+    for (const std::optional<TraceNumber>& value : row.values) values.push_back(value ? cellJson(*value) : Json());
     json["rows"].push_back(
         {{"scan", row.scan}, {"time_ms", static_cast<double>(row.timeUs) / 1000}, {"values", values}});
   }

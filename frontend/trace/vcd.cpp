@@ -36,8 +36,11 @@ std::string plainName(const std::string& name, std::set<std::string>& taken) {
   return plain;
 }
 
-std::string change(const TraceSignal& signal, const std::optional<double>& value, const std::string& id) {
-  if (signal.isReal()) return value ? fmt::format("r{:.16g} {}\n", *value, id) : fmt::format("rnan {}\n", id);
+std::string change(const TraceSignal& signal, const std::optional<TraceNumber>& value, const std::string& id) {
+  if (signal.isReal())
+    return value ? fmt::format("r{:.{}g} {}\n", static_cast<double>(*value),
+                               signal.type == SignalType::LongReal ? 17 : 16, id)
+                 : fmt::format("rnan {}\n", id);
   if (signal.width() == 1) return fmt::format("{}{}\n", !value ? 'x' : *value != 0 ? '1' : '0', id);
   if (!value) return fmt::format("bx {}\n", id);
   return fmt::format("b{:b} {}\n", valueOf(*value, signal.type, signal.width()), id);

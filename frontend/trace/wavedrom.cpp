@@ -26,9 +26,9 @@ Json lane(const Trace& trace, std::size_t column) {
   const TraceSignal& signal = trace.signals[column];
   std::string wave;
   std::vector<std::string> data;
-  std::optional<double> last;
+  std::optional<TraceNumber> last;
   for (std::size_t r = 0; r < trace.rows.size(); ++r) {
-    const std::optional<double> value = trace.rows[r].values[column];
+    const std::optional<TraceNumber> value = trace.rows[r].values[column];
     if (r > 0 && value == last) {
       wave += '.';
     } else if (!value) {
