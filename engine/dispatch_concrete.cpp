@@ -73,6 +73,10 @@ template <>
 void runSystemBlock<Concrete>(Machine<Concrete>& machine, const std::function<void()>& between) {
   runSystemBlockOn(machine, between);
 }
+template <>
+void actOnCpu<Concrete>(Machine<Concrete>& machine, const Instruction& call) {
+  actOnCpuOf(machine, call);
+}
 
 Execute<Concrete> executionOf(const Instruction& instruction, StatementForm form) {
   static constexpr auto forms = makeAreaForms(isa::AllInstructions{});

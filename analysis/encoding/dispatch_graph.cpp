@@ -27,5 +27,9 @@ template <>
 void runSystemBlock<Graph>(Machine<Graph>& machine, const std::function<void()>& between) {
   runSystemBlockOn(machine, between);
 }
+template <>
+void actOnCpu<Graph>(Machine<Graph>& machine, const Instruction& call) {
+  actOnCpuOf(machine, call);
+}
 
 }  // namespace rungproof

@@ -37,5 +37,9 @@ void runSystemBlock<compiled::Recorder>(Machine<compiled::Recorder>& m, const st
   m.step7 = registers;
   d.leave(m.guard);
 }
+template <>
+void actOnCpu<compiled::Recorder>(Machine<compiled::Recorder>& m, const Instruction& call) {
+  actOnCpuOf(m, call);
+}
 
 }  // namespace rungproof

@@ -26,5 +26,8 @@ std::span<const Execute<D>> iecDispatchTable();
 /// Runs the block of the CPU or of a library that the machine has entered (ir/s7300/library/system_block.hpp).
 template <class D>
 void runSystemBlock(Machine<D>& machine, const std::function<void()>& between);
+/// What a call of a block does to the CPU itself (ir/s7300/library/cpu_call.hpp); the block is named by a constant.
+template <class D>
+void actOnCpu(Machine<D>& machine, const Instruction& call);
 
 }  // namespace rungproof

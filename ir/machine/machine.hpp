@@ -83,7 +83,6 @@ inline constexpr int restBits = 24;  ///< of a time of an S5 timer in ms: holds 
 /// Pou::number of OB121.
 inline constexpr int errorBlock = static_cast<int>(BlockType::Ob) << 16 | 121;
 inline constexpr int accessErrorBlock = static_cast<int>(BlockType::Ob) << 16 | 122;
-inline constexpr int maskErrors = 36;  ///< SFC 36 (002:2352)
 
 /// OB121_SW_FLT of a synchronous error, of a pair for reading and writing the first; 0: one of several. A pointer with
 /// a wrong bit part or area may be wrong in two ways.
@@ -240,7 +239,7 @@ class Machine : public GuardedRun<D> {
   void error(Hazard which, Bool condition) {
     if (const std::optional<bool> known = d.truth(condition); known && !*known) return;
     const Bool happens = d.land(guard, condition);
-    if (handlesErrors_ || masksErrors_) step7.failed = d.lor(step7.failed, happens);
+    if (handlesErrors_ || plan.masksErrors) step7.failed = d.lor(step7.failed, happens);
     const Bool isTaken = d.land(condition, d.lnot(isMasked()));
     if (step7.isErrorBlock) return stop(Hazard::S7ErrorTwice, isTaken);
     if (!handlesErrors_) return stop(which, isTaken);
@@ -264,7 +263,7 @@ class Machine : public GuardedRun<D> {
     this->meet(which, condition, [] {});
   }
   /// Whether the program may go on behind a synchronous error.
-  bool survivesErrors() const { return handlesErrors_ || masksErrors_; }
+  bool survivesErrors() const { return handlesErrors_ || plan.masksErrors; }
   /// Writes a register of the S7-300/400 where the guard holds.
   void put(Bool& to, Bool value) { to = this->isEveryRun() ? value : d.select(guard, value, to); }
   void put(Bits& to, Bits value, int width) { to = this->isEveryRun() ? value : d.select(guard, value, to, width); }
@@ -279,13 +278,12 @@ class Machine : public GuardedRun<D> {
   /// Which bit of a mask stands for which error, and how long it holds, is not stated: once SFC 36 has been called, any
   /// error may be masked or not. Without another word those of the run of the organization block that called it are.
   Bool isMasked() {
-    if (!masksErrors_) return d.constant(false);
+    if (!plan.masksErrors) return d.constant(false);
     constexpr std::uint32_t index = 0x304;  // beside what instructions leave open
     return d.land(getBit(Reg::ErrorsMasked), d.lxor(step7.isMasking, externalBit(External::UnknownResult, index)));
   }
 
   bool handlesErrors_ = plan.block(errorBlock) != nullptr;
-  bool masksErrors_ = plan.systemFunctions.contains(maskErrors);
   std::array<std::uint32_t, areaCount> areaSizes_{};
 
   std::uint32_t addressBits(Area area, std::uint32_t byte) const {

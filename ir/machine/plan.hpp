@@ -3,7 +3,6 @@
 #pragma once
 
 #include <map>
-#include <set>
 #include <string_view>
 #include <vector>
 
@@ -45,7 +44,7 @@ struct Plan {
   std::vector<std::uint32_t> iecTimers;  ///< S7-300/400: instances of SFB 3, 4 and 5 by their first byte (dataByte)
   /// Timed events that can come (ir/s7200/event.hpp): 10 and 11, of an S7-300/400 the cyclic blocks that it has.
   std::vector<std::uint32_t> timedEvents;
-  std::set<int> systemFunctions;      ///< S7-300/400: numbers of the SFCs that are called
+  bool masksErrors = false;           ///< S7-300/400: a block is called that masks synchronous errors
   std::vector<const Operand*> texts;  ///< string constants given to subroutines; pointers name them by their index
 
   /// First use of a timer number, or nullptr. It decides how the number counts.

@@ -113,8 +113,6 @@ class Scan : private FlowWalk<Scan<D, Hooks>, Machine<D>, Hooks> {
   void organizationBlock(int number, Bool condition);
   void interruptBlock(int number, Bool condition);
   void startInformation(std::uint32_t base, int number, const Step7Registers<D>& interrupted);
-  void systemCall(int number, const Instruction& call);
-  void lockEvents(bool locks, Bits mode, Bits block);
   void freshBytes(std::uint32_t base, std::uint32_t count);
   void step7Control(Walk& w, std::uint32_t at);
   void distribute(Walk& w, std::uint32_t at);

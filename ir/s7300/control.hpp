@@ -12,13 +12,12 @@
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/cpu.hpp"
 #include "ir/s7300/handed_pointer.hpp"
-#include "ir/s7300/interrupt_lock.hpp"
+#include "ir/s7300/library.hpp"
 #include "ir/s7300/timer.hpp"
 
 namespace rungproof {
 
-inline constexpr int delayInterrupts = 41;  ///< SFC 41 (002:2353)
-inline constexpr int warmRestart = 100;     ///< OB100 (002:1373)
+inline constexpr int warmRestart = 100;  ///< OB100 (002:1373)
 
 /// An organization block, where `condition` holds: nothing of the registers outlives it, and what they hold at its
 /// start is any value.
@@ -135,96 +134,6 @@ void Scan<D, Hooks>::startInformation(std::uint32_t base, int number, const Step
   m_.when(m_.d.lnot(is(0)), [&] { save(1, m_.d.bor(fault, m_.d.fromBool(second, 8), 8)); });
 }
 
-/// What calls of the CPU's own functions do beside the outputs that their contract leaves open (002:1192-1212,
-/// 002:2342-2353).
-template <class D, class Hooks>
-void Scan<D, Hooks>::systemCall(int number, const Instruction& call) {
-  Step7Registers<D>& s = m_.step7;
-  D& d = m_.d;
-  const Bits db = s.db;
-  const auto value = [&](std::size_t i, Width width) {
-    Step7Places<D> places(m_);
-    const Bits loaded = places.load(places.find(call.operands[i], width), width);
-    s.db = db;
-    return loaded;
-  };
-  constexpr int startDelay = 32, cancelDelay = 33, unmaskErrors = 37, enableInterrupts = 42, retrigger = 43,
-                replace = 44;
-  const bool starts = number == startDelay && call.operands.size() > 3;
-  if (starts || (number == cancelDelay && call.operands.size() > 1)) {
-    const Bits block = d.extract(value(1, Width::Word), 15, 0);
-    const Bits time = starts ? value(2, Width::DWord) : d.literal(0, 32);
-    const Bits sign = starts ? d.extract(value(3, Width::Word), 15, 0) : d.literal(0, 16);
-    const Bool inRange = d.land(d.sle(d.literal(1, 32), time, 32), d.sle(time, d.literal(60000, 32), 32));
-    for (std::uint32_t i = 0; i < delayBlockCount; ++i) {
-      if (m_.plan.block(blockNumber(BlockType::Ob, firstDelayBlock + static_cast<int>(i))) == nullptr) continue;
-      const Bool isThis = d.equal(block, d.literal(static_cast<std::uint64_t>(firstDelayBlock) + i, 16), 16);
-      const auto event = static_cast<std::uint32_t>(firstDelayEvent) + i;
-      m_.when(starts ? d.land(isThis, inRange) : isThis, [&] {
-        m_.signal(starts ? Signal::EventAttached : Signal::EventsCleared, event);
-        m_.set(Reg::DelayPeriod, i, d.extract(time, 15, 0));
-        m_.set(Reg::DelayElapsed, i, d.literal(0, 16));
-        if (starts) m_.set(Reg::DelaySign, i, sign);
-      });
-    }
-  }
-  if ((number == lockInterrupts || number == unlockInterrupts) && call.operands.size() > 2) {
-    const Bits mode = d.extract(value(1, Width::Byte), 7, 0), block = d.extract(value(2, Width::Word), 15, 0);
-    lockEvents(number == lockInterrupts, mode, block);
-  }
-  if (number == delayInterrupts || number == enableInterrupts) {
-    const Bits none = d.literal(0, 8), one = d.literal(1, 8);
-    const Bool isFree = d.equal(s.delays, none, 8);
-    const Bits left =
-        number == delayInterrupts ? d.add(s.delays, one, 8) : d.select(isFree, none, d.sub(s.delays, one, 8), 8);
-    m_.put(s.delays, left, 8);
-    m_.setBit(Reg::InterruptsEnabled, 0, d.equal(left, none, 8));
-  }
-  if (number == maskErrors) {
-    m_.put(s.isMasking, d.constant(true));
-    m_.setBit(Reg::ErrorsMasked, 0, d.constant(true));
-  }
-  if (number == unmaskErrors) m_.put(s.isMasking, d.constant(false));
-  if (number == retrigger) m_.signal(Signal::WatchdogRestarted);
-  if (number == replace && call.operands.size() > 1) {
-    m_.put(s.replacement, value(1, Width::DWord), 32);
-    m_.put(s.isReplaced, d.constant(true));
-  }
-}
-
-/// SFC 39 and 40: MODE 0 names all events (OB_NR 0), 1 a class by its first block, 2 a block; with 16#80 more nothing
-/// is written into the diagnostic buffer. Calls that say something else may be taken as if they said that, or refused.
-template <class D, class Hooks>
-void Scan<D, Hooks>::lockEvents(bool locks, Bits mode, Bits block) {
-  D& d = m_.d;
-  const auto blockIs = [&](int number) {
-    return d.equal(block, d.literal(static_cast<std::uint64_t>(number), 16), 16);
-  };
-  const auto modeIs = [&](std::uint64_t number) { return d.equal(d.extract(mode, 6, 0), d.literal(number, 7), 7); };
-  Bool isClass = d.constant(false);
-  for (int first = 10; first <= 80; first += 10) isClass = d.lor(isClass, blockIs(first));
-  Bool isPlain = d.lor(d.lnot(modeIs(0)), blockIs(0));
-  isPlain = d.land(isPlain, d.lor(d.lnot(modeIs(1)), isClass));
-  if (!locks) isPlain = d.land(isPlain, d.lnot(d.bit(mode, 7)));
-  constexpr std::uint32_t refusal = 0x30A;  // beside what instructions leave open
-  const Bool isTaken =
-      d.truth(isPlain) == true ? isPlain : d.lor(isPlain, m_.externalBit(External::UnknownResult, refusal));
-  for (int event = firstBlockEvent; event < blockEventEnd; ++event) {
-    const int number = blockOfEvent(event);
-    if (m_.plan.block(blockNumber(BlockType::Ob, number)) == nullptr) continue;
-    const Bool isOfClass = d.lor(blockIs(lockClassOf(number)), d.land(d.lnot(isClass), blockIs(number)));
-    Bool isNamed = d.lor(modeIs(0), d.land(modeIs(1), isOfClass));
-    isNamed = d.land(isTaken, d.lor(isNamed, d.land(modeIs(2), blockIs(number))));
-    const auto at = static_cast<std::uint32_t>(event);
-    m_.when(isNamed, [&] {
-      if (locks) m_.signal(Signal::EventDetached, at);
-      const Bits now = m_.get(Reg::EventRoutine, at);
-      m_.set(Reg::EventRoutine, at,
-             locks ? d.bor(now, d.literal(lockBit, 8), 8) : d.band(now, d.literal(lockBit - 1, 8), 8));
-    });
-  }
-}
-
 template <class D, class Hooks>
 void Scan<D, Hooks>::freshBytes(std::uint32_t base, std::uint32_t count) {
   if constexpr (requires { hooks_.freshBytes(*this, base, count); }) {
@@ -284,9 +193,11 @@ void Scan<D, Hooks>::step7Call(const Instruction& instruction) {
     const Flow* callee = m_.plan.block(static_cast<int>(block.value));
     const BlockType type = blockTypeOf(static_cast<int>(block.value));
     const bool isSystem = type == BlockType::Sfc || type == BlockType::Sfb;
-    constexpr int stop = 46;  // 002:2343
-    if (type == BlockType::Sfc) systemCall(numberOfBlock(static_cast<int>(block.value)), instruction);
-    if (block.value == blockNumber(BlockType::Sfc, stop)) return m_.stop(Hazard::S7Stop, m_.d.constant(true));
+    const s7300::LibraryBlock* row =
+        isSystem ? s7300::libraryBlock(type, static_cast<std::uint32_t>(numberOfBlock(static_cast<int>(block.value))))
+                 : nullptr;
+    if (row != nullptr && row->actsOnCpu) actOnCpu(m_, instruction);
+    if (row != nullptr && row->stopsCpu) return m_.stop(Hazard::S7Stop, m_.d.constant(true));
     if (callee == nullptr && !isSystem) return m_.error(Hazard::S7BlockMissing, m_.d.constant(true));
     if (callee == nullptr || callee->pou->protectedBlock) return hooks_.callWithoutBody(*this, instruction);
     return enterBlock(*callee, instruction);

@@ -11,7 +11,6 @@
 
 namespace rungproof {
 
-inline constexpr int lockInterrupts = 39, unlockInterrupts = 40;
 inline constexpr std::uint64_t lockBit = 0x80;
 
 /// Whether that content of Reg::EventRoutine says so.

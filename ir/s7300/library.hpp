@@ -23,9 +23,10 @@ struct LibraryBlock {
   bool isBuiltIn =
       false;  ///< its struct says over any domain what it does (`run`); without `run`: outputs have any value
   bool isContract = false;  ///< what its outputs are is told nowhere: any value after each call
-  bool actsOnCpu = false;   ///< does something to interrupts, errors or the watchdog (ir/s7300/control.hpp)
+  bool actsOnCpu = false;   ///< its struct says what it does to interrupts, errors or the watchdog (`act`)
   bool readsClock = false;  ///< proofs know no time of day
   bool stopsCpu = false;
+  bool masksErrors = false;          ///< from its first call on an error may be masked
   std::string_view head = {};        ///< temporary data and statements in front of `statements`
   std::string_view statements = {};  ///< what it does, as a statement list over its parameters
   /// The same of a contract in front of its outputs; given the bytes of the image of the inputs.

@@ -4,6 +4,7 @@
 #include "ir/machine/plan.hpp"
 #include "ir/machine/timed_event.hpp"
 #include "ir/s7300/block.hpp"
+#include "ir/s7300/library.hpp"
 #include "ir/s7300/organization_block.hpp"
 
 namespace rungproof {
@@ -89,9 +90,11 @@ void Plan::planBlocks() {
       const Instruction& call = *step.instruction;
       if (call.desc->control != Control::BlockCall || call.operands.empty()) continue;
       const Operand& callee = call.operands[0];
+      if (callee.kind != OperandKind::Constant) continue;
       const int number = static_cast<int>(callee.value);
-      if (callee.kind == OperandKind::Constant && blockTypeOf(number) == BlockType::Sfc)
-        systemFunctions.insert(numberOfBlock(number));
+      const s7300::LibraryBlock* block =
+          s7300::libraryBlock(blockTypeOf(number), static_cast<std::uint32_t>(numberOfBlock(number)));
+      masksErrors = masksErrors || (block != nullptr && block->masksErrors);
     }
   }
   std::map<std::pair<int, int>, std::uint32_t> known;

@@ -22,5 +22,7 @@ std::span<const Execute<manual::Blurred>> iecDispatchTable<manual::Blurred>() {
 }
 template <>
 void runSystemBlock<manual::Blurred>(Machine<manual::Blurred>&, const std::function<void()>&) {}
+template <>
+void actOnCpu<manual::Blurred>(Machine<manual::Blurred>&, const Instruction&) {}
 
 }  // namespace rungproof

@@ -36,5 +36,7 @@ std::span<const Execute<Mutated>> iecDispatchTable<Mutated>() {
 }
 template <>
 void runSystemBlock<Mutated>(Machine<Mutated>&, const std::function<void()>&) {}
+template <>
+void actOnCpu<Mutated>(Machine<Mutated>&, const Instruction&) {}
 
 }  // namespace rungproof

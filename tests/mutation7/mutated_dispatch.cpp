@@ -42,5 +42,9 @@ template <>
 void runSystemBlock<Mutated>(Machine<Mutated>&, const std::function<void()>&) {
   std::abort();
 }
+template <>
+void actOnCpu<Mutated>(Machine<Mutated>&, const Instruction&) {
+  std::abort();
+}
 
 }  // namespace rungproof

@@ -3,6 +3,7 @@
 
 #include "ir/machine/instruction_group.hpp"
 #include "ir/s7300/library.hpp"
+#include "ir/s7300/library/cpu_call.hpp"
 
 namespace rungproof::s7300::library {
 
@@ -16,7 +17,13 @@ struct Sfc36 {
       .name = "MSK_FLT",
       .parameters = "PRGFLT_SET_MASK:DWORD ACCFLT_SET_MASK:DWORD|RET_VAL:INT PRGFLT_MASKED:DWORD ACCFLT_MASKED:DWORD",
       .isContract = true,
-      .actsOnCpu = true};
+      .masksErrors = true};
+
+  template <class D>
+  static void act(CpuCall<D>& call) {
+    call.m.put(call.s.isMasking, call.d.constant(true));
+    call.m.setBit(Reg::ErrorsMasked, 0, call.d.constant(true));
+  }
 };
 
 struct Sfc37 {
@@ -26,8 +33,12 @@ struct Sfc37 {
       .name = "DMSK_FLT",
       .parameters =
           "PRGFLT_RESET_MASK:DWORD ACCFLT_RESET_MASK:DWORD|RET_VAL:INT PRGFLT_MASKED:DWORD ACCFLT_MASKED:DWORD",
-      .isContract = true,
-      .actsOnCpu = true};
+      .isContract = true};
+
+  template <class D>
+  static void act(CpuCall<D>& call) {
+    call.m.put(call.s.isMasking, call.d.constant(false));
+  }
 };
 
 struct Sfc38 {
@@ -40,12 +51,13 @@ struct Sfc38 {
 };
 
 struct Sfc43 {
-  static constexpr LibraryBlock block = {.type = BlockType::Sfc,
-                                         .number = 43,
-                                         .name = "RE_TRIGR",
-                                         .parameters = "",
-                                         .actsOnCpu = true,
-                                         .statements = nothing};
+  static constexpr LibraryBlock block = {
+      .type = BlockType::Sfc, .number = 43, .name = "RE_TRIGR", .parameters = "", .statements = nothing};
+
+  template <class D>
+  static void act(CpuCall<D>& call) {
+    call.m.signal(Signal::WatchdogRestarted);
+  }
 };
 
 struct Sfc44 {
@@ -53,8 +65,14 @@ struct Sfc44 {
                                          .number = 44,
                                          .name = "REPL_VAL",
                                          .parameters = "VAL:DWORD|RET_VAL:INT",
-                                         .isContract = true,
-                                         .actsOnCpu = true};
+                                         .isContract = true};
+
+  template <class D>
+  static void act(CpuCall<D>& call) {
+    if (!call.gives(1)) return;
+    call.m.put(call.s.replacement, call.value(0, Width::DWord), 32);
+    call.m.put(call.s.isReplaced, call.d.constant(true));
+  }
 };
 
 struct Sfc46 {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ir/s7300/block.hpp"
+#include "ir/s7300/library/cpu_call.hpp"
 #include "ir/s7300/library/list.hpp"
 #include "ir/s7300/string_functions.hpp"
 
@@ -48,6 +49,26 @@ void runBlockAmong(isa::Group<Blocks...>, SystemArgs<D>& a, int number) {
   };
   const bool isKnown = ((isIt(Blocks::block) && (meaningOf<D, Blocks>()(a), true)) || ...);
   if (!isKnown) anyOutputs(a);
+}
+
+template <class Block, class D>
+void actAs(CpuCall<D>& call, BlockType type, int number) {
+  if constexpr (requires { Block::act(call); }) {
+    if (Block::block.type == type && Block::block.number == number) Block::act(call);
+  }
+}
+
+template <class D, class... Blocks>
+void actAmong(isa::Group<Blocks...>, CpuCall<D>& call, BlockType type, int number) {
+  (actAs<Blocks>(call, type, number), ...);
+}
+
+/// What the call does to the CPU itself, before the block is entered; nothing, if the block is not one of those.
+template <class D>
+void actOnCpuOf(Machine<D>& m, const Instruction& instruction) {
+  CpuCall<D> call(m, instruction);
+  const auto block = static_cast<int>(instruction.operands[0].value);
+  actAmong(s7300::library::AllBlocks{}, call, blockTypeOf(block), numberOfBlock(block));
 }
 
 /// The block that the machine has just entered. `between`: an interrupt may come here.

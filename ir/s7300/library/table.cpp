@@ -11,9 +11,19 @@ namespace rungproof::s7300 {
 
 namespace {
 
+/// Stands for any domain, where it matters only whether a block has a meaning.
+struct SomeDomain;
+
+template <class Block>
+constexpr LibraryBlock rowOf() {
+  LibraryBlock row = Block::block;
+  row.actsOnCpu = requires(CpuCall<SomeDomain> & call) { Block::act(call); };
+  return row;
+}
+
 template <class... Blocks>
 constexpr auto rowsOf(isa::Group<Blocks...>) {
-  std::array<LibraryBlock, sizeof...(Blocks)> rows = {Blocks::block...};
+  std::array<LibraryBlock, sizeof...(Blocks)> rows = {rowOf<Blocks>()...};
   const auto place = [](const LibraryBlock& row) {
     const int kind = row.type == BlockType::Sfb ? 0 : row.type == BlockType::Sfc ? 1 : 2;
     return std::pair(kind, row.number);
