@@ -26,6 +26,21 @@ TEST(IecCalendar, LiteralsCount) {
   EXPECT_EQ(resultOfDate("DT", "r := DATE_AND_TIME#1970-01-02-00:00:01;"), day + 1);
 }
 
+/// Two literals mean what two variables with these values mean.
+TEST(IecCalendar, TwoLiteralsCountEachInItsOwnUnit) {
+  EXPECT_EQ(resultOfDate("DT", "r := DT#2024-02-28-15:36:55 + T#2s;"), lastOfFebruary + clock15 + 2);
+  EXPECT_EQ(resultOfDate("DT", "r := DT#2024-02-28-15:36:55 - T#1m;"), lastOfFebruary + clock15 - 60);
+  EXPECT_EQ(resultOfDate("BOOL", "r := DT#2024-02-28-15:36:55 + T#2s > DT#2024-02-28-15:37:00;"), 0);
+  EXPECT_EQ(resultOfDate("TIME", "r := DT#2024-02-28-15:36:55 - DT#2024-02-28-15:36:50;"), 5000);
+  EXPECT_EQ(resultOfDate("TIME", "r := D#2024-03-01 - D#2024-02-28;"), 2 * day * 1000);
+  EXPECT_EQ(resultOfDate("TIME", "r := TOD#15:36:55 - TOD#15:36:54.5;"), 500);
+  EXPECT_EQ(resultOfDate("LTIME", "r := T#1s + LT#1s;"), 2e9);
+  EXPECT_EQ(resultOfDate("LTIME", "r := LT#5s - T#1s;"), 4e9);
+  EXPECT_EQ(resultOfDate("BOOL", "r := LT#1s + T#1s = LT#2s;"), 1);
+  EXPECT_EQ(resultOfDate("TIME", "r := T#1s + T#500ms;"), 1500);
+  EXPECT_EQ(resultOfDate("TIME", "r := T#1s * 3;"), 3000);
+}
+
 TEST(IecCalendar, SumsAndDifferences) {
   EXPECT_EQ(resultOfDate("TIME", "r := D#2024-03-01 - d;"), 2 * day * 1000);
   EXPECT_EQ(resultOfDate("TIME", "r := SUB_DATE_DATE(d, D#2024-02-27);"), day * 1000);
