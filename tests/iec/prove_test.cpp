@@ -203,5 +203,32 @@ TEST(IecSelfCheck, NeedsAnOutput) {
   EXPECT_TRUE(output.has("no faults are planted: the program has no output")) << output.text;
 }
 
+/// What does not fit has any value (spec of conversions): the run that shows it is repeated, and what fits is exact.
+TEST(IecProve, AConversionThatDoesNotFitHasAnyValue) {
+  const auto program = [](const std::string& from, const std::string& to, const std::string& call) {
+    return "PROGRAM P\nVAR_INPUT r : " + from + "; END_VAR\nVAR x : " + to + "; END_VAR\nx := " + call +
+           ";\nEND_PROGRAM\n";
+  };
+  struct Row {
+    std::string from, to, call, beyond, inside;
+  };
+  const std::vector<Row> rows = {
+      {"REAL", "INT", "REAL_TO_INT(r)", "40000.0", "r = 7.0 implies x = 7"},
+      {"REAL", "UINT", "REAL_TO_UINT(r)", "70000.0", "r = 7.0 implies x = 7"},
+      {"REAL", "SINT", "REAL_TO_SINT(r)", "300.0", "r = 7.0 implies x = 7"},
+      {"REAL", "DINT", "REAL_TO_DINT(r)", "3000000000.0", "r = 7.0 implies x = 7"},
+      {"REAL", "DINT", "TRUNC(r)", "3000000000.0", "r = 7.5 implies x = 7"},
+      {"REAL", "TIME", "REAL_TO_TIME(r)", "3000000000.0", "r = 7.0 implies x = 7"},
+      {"LREAL", "INT", "LREAL_TO_INT(r)", "40000.0", "r = 7.0 implies x = 7"},
+      {"LREAL", "LINT", "LREAL_TO_LINT(r)", "1.0e30", "r = 7.0 implies x = 7"},
+  };
+  for (const Row& row : rows) {
+    const std::string text = program(row.from, row.to, row.call);
+    EXPECT_EQ(verdictOf(text, "r > " + row.beyond + " implies x = 5"), "VIOLATED") << row.call;
+    EXPECT_EQ(verdictOf(text, "r > " + row.beyond + " implies x <> 5"), "VIOLATED") << row.call;
+    EXPECT_EQ(verdictOf(text, row.inside), "PROVED") << row.call;
+  }
+}
+
 }  // namespace
 }  // namespace rungproof

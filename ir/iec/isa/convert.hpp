@@ -35,7 +35,7 @@ struct ToReal {
 };
 
 /// To a number of WIDTH bits: rounded (halves by the reading in force), or cut towards zero. What does not fit has any
-/// value; the engine takes the nearest.
+/// value: the nearest one with some bits changed, none of them in a run that nothing is told about.
 struct FromReal {
   static constexpr Desc desc =
       withOperands(described("FROM.REAL", "REAL to whole number"), {part("WIDTH"), part("SIGNED"), part("ROUNDS")});
@@ -58,10 +58,10 @@ struct FromReal {
     const auto isBelow = d.slt(number, low, 64), isAbove = d.slt(high, number, 64);
     const auto nearest = d.select(isBelow, low, d.select(isAbove, high, number, 64), 64);
     const auto result = d.extract(nearest, w - 1, 0);
-    if constexpr (std::same_as<typename D::Bool, bool>) return a.push(result);
     const auto fits = d.land(d.rlegal(value), d.lnot(d.lor(isBelow, isAbove)));
     if (const auto known = d.truth(fits); known && *known) return a.push(result);
-    a.push(d.select(fits, result, a.m.external(External::UnknownResult, 0, w), w));
+    const auto other = d.bxor(result, a.m.external(External::UnknownResult, 0, w), w);
+    a.push(d.select(fits, result, other, w));
   }
 };
 

@@ -107,7 +107,7 @@ struct Shorten {
 };
 
 /// To a number of WIDTH bits: rounded (halves by the reading in force), or cut towards zero. What does not fit has any
-/// value; the engine takes the nearest.
+/// value: the nearest one with some bits changed, none of them in a run that nothing is told about.
 struct FromLongReal {
   static constexpr Desc desc =
       withOperands(described("FROM.LREAL", "LREAL to whole number"), {part("WIDTH"), part("SIGNED"), part("ROUNDS")});
@@ -132,7 +132,6 @@ struct FromLongReal {
       const auto isBelow = d.slt(number, low, 64), isAbove = d.slt(high, number, 64);
       result = d.extract(d.select(isBelow, low, d.select(isAbove, high, number, 64), 64), w - 1, 0);
     }
-    if constexpr (std::same_as<typename D::Bool, bool>) return a.push(result);
     // 2^63 or 2^64 is the first number that 64 bits do not hold; -2^63 is one that they do.
     LongRealOrder<D> order{d};
     auto fits = order.less(order.size(whole), a.literal(isLong ? 0x43F0000000000000U : 0x43E0000000000000U, 64));
@@ -141,7 +140,8 @@ struct FromLongReal {
     // Sign or zero extended, a result of fewer bits is the number again.
     if (w < 64) fits = d.land(fits, d.equal(isSigned ? d.sext(result, w, 64) : d.zext(result, w, 64), number, 64));
     if (const auto known = d.truth(fits); known && *known) return a.push(result);
-    a.push(d.select(fits, result, a.m.external(External::UnknownResult, 0, w), w));
+    const auto other = d.bxor(result, a.m.external(External::UnknownResult, 0, w), w);
+    a.push(d.select(fits, result, other, w));
   }
 };
 
