@@ -2,10 +2,24 @@
 #include "analysis/asking/asked_goals.hpp"
 
 #include "analysis/encoding/asked_properties.hpp"
+#include "engine/simulator.hpp"
 
 namespace rungproof {
 
-std::vector<Property> askedGoals(const PropertySet& set) {
+namespace {
+
+bool endsAPlainScan(const Program& program, const Choices& choices) {
+  SimulatorOptions options;
+  options.choices = choices;
+  options.engine = EngineKind::Reference;
+  Simulator simulator(program, options);
+  simulator.scan();
+  return simulator.isRunning();
+}
+
+}  // namespace
+
+std::vector<Property> askedGoals(const Program& program, const Choices& choices, const PropertySet& set) {
   std::vector<Property> goals;
   for (const Property& property : set.properties) {
     if (property.isGoal()) goals.push_back(property);
@@ -14,14 +28,15 @@ std::vector<Property> askedGoals(const PropertySet& set) {
   for (std::size_t i = 0; i < declared; ++i) {
     if (auto premise = premiseOf(goals[i])) goals.push_back(std::move(*premise));
   }
-  if (declared < set.properties.size()) goals.push_back(someRun());
+  const bool assumes = declared < set.properties.size();
+  if (assumes || (declared > 0 && !endsAPlainScan(program, choices))) goals.push_back(someRun());
   return goals;
 }
 
 Property someRun() {
   Property property;
   property.kind = PropertyKind::Reach;
-  property.name = "a run that meets the assumptions";
+  property.name = "a run that comes to the end of a scan";
   ExprNode always;
   always.value = 1;
   property.first.nodes.push_back(always);

@@ -358,7 +358,8 @@ class Session {
     return read;
   }
 
-  /// A property whose premise can never be met, or assumptions that no run meets, prove nothing.
+  /// A property whose premise can never be met, assumptions that no run meets, or a program that ends no scan prove
+  /// nothing.
   void checkVacuity(ProofResult& row) {
     if (row.builtin) return;
     if (goalOf_.empty()) {
@@ -371,7 +372,9 @@ class Session {
     const std::size_t some = goalNamed(someRun().name), premise = goalNamed(row.property.name + " (premise)");
     if (some < goals().size() && search_.quick(some).answer == Answer::Proved) {
       row.outcome = Outcome::Vacuous;
-      row.notes.push_back("the assumptions contradict each other: no run meets them");
+      const bool assumes = !std::ranges::all_of(set_.properties, [](const Property& p) { return p.isGoal(); });
+      row.notes.push_back(assumes ? "the assumptions contradict each other: no run meets them"
+                                  : "no run comes to the end of a scan: each stops or loops before");
       return;
     }
     if (premise == goals().size() || row.outcome != Outcome::Proved) return;

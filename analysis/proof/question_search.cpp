@@ -19,7 +19,7 @@
 namespace rungproof {
 
 QuestionSearch::QuestionSearch(const Program& program, const PropertySet& set, const ProverOptions& options)
-    : program_(program), set_(set), options_(options), goals_(askedGoals(set)), watch_(options.cancel, options.memory) {
+    : program_(program), set_(set), options_(options), goals_(askedGoals(program, options.choices, set)), watch_(options.cancel, options.memory) {
   for (const Property& property : set.properties) {
     if (property.isGoal())
       ++declared_;
