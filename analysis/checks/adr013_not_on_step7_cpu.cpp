@@ -21,7 +21,8 @@ class CpuLimits {
     const Desc& desc = *instruction.desc;
     if ((desc.cpus & cpuBit(facts_.target().cpu)) == 0)
       report(instruction.mnemonic(),
-             fmt::format("{} moves ACCU3 and ACCU4, and the {} has two accumulators", desc.stl, cpu_));
+             fmt::format("{} moves ACCU3 and ACCU4, and the {} has two accumulators", desc.stl, cpu_))
+          .refused = true;
     for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
       const Operand& operand = instruction.operands[i];
       const bool isListed = i < desc.operandCount;
@@ -43,6 +44,7 @@ class CpuLimits {
  private:
   Finding& report(Span span, std::string message) {
     Finding& finding = sink_.report(span, std::move(message));
+    finding.refused = false;  // a synchronous error of a running CPU
     finding.help = "correct it, or choose the CPU that the program is meant for with --cpu";
     return finding;
   }
@@ -84,11 +86,12 @@ extern constexpr Rule adr013_not_on_step7_cpu = {
     .why =
         "the download is refused, or the access is a synchronous error: OB121 is called, and without it the CPU stops",
     .manual = "002:1289, 002:495, 002:502-508, 002:1518",
-    .bad = "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nL MW 255;\nT QW 4;\nEND_ORGANIZATION_BLOCK\n",
+    .bad = "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nL MW 255;\nENT;\nT QW 4;\nEND_ORGANIZATION_BLOCK\n",
     .good = "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nL MW 254;\nT QW 4;\nEND_ORGANIZATION_BLOCK\n",
     .exampleCpu = "314",
     .falsePositives = "a program for another CPU than the chosen one: name it with --cpu",
     .dialects = dialect::S7300,
+    .refuses = true,
     .standsAlone = true,
     .check = checkAdr013,
 };

@@ -39,6 +39,7 @@ void checkUnset(const Facts& facts, FindingSink& sink, const Pointer& pointer) {
       instruction.operands[access.operand].span,
       fmt::format("{} in {} is used, but nothing makes the pointer", accessName(access), Facts::text(instruction)));
   finding.address = accessName(access);
+  finding.refused = false;  // the editor takes it; the access is a run-time error
   finding.help = "set it by MOVD &address first (001:1459)";
 }
 
@@ -51,7 +52,7 @@ void checkPtr002(const Facts& facts, FindingSink& sink) {
       }
     }
   }
-  if (facts.hasHiddenCode()) return;
+  if (facts.hasHiddenCode() || facts.withOperand(OperandKind::Indirect).empty()) return;
   const PointerTable& pointers = facts.pointers();
   for (const Pointer& pointer : pointers.all()) checkUnset(facts, sink, pointer);
 }
@@ -66,12 +67,15 @@ extern constexpr Rule ptr002_pointer_misused = {
     .detects =
         "a pointer that is used though nothing sets it, that is kept elsewhere than in V, L or AC1-AC3, or that is "
         "aimed at HC, L, an accumulator or a single bit",
-    .why = "run-time error 0006, in a comparison the fatal error 0011",
+    .why =
+        "the editor does not take it; a pointer that nothing sets is run-time error 0006, in a comparison the fatal "
+        "error 0011",
     .manual = "001:1459-1461, 001:13954",
-    .bad = "Network 1\nLD SM0.0\nMOVW *AC1, VW0\n",
+    .bad = "Network 1\nLD SM0.0\nMOVD &VB100, AC0\nMOVW *AC0, VW0\n",
     .good = "Network 1\nLD SM0.0\nMOVD &VB100, AC1\nMOVW *AC1, VW0\n",
     .peers = "SA0145 (nearest)",
     .dialects = dialect::S7200,
+    .refuses = true,
     .check = checkPtr002,
 };
 

@@ -54,8 +54,8 @@ INSTANTIATE_TEST_SUITE_P(Rules, RefusedExample, ::testing::ValuesIn(refusingRule
 /// Errors of programs that the editor and the CPU take: they stop a running CPU or do what nobody means, so that the
 /// other commands run them and show it.
 constexpr std::string_view executed[] = {
-    "ADR013", "PRT001", "STK001", "ARI003", "CTL009", "DBA002", "DBA006", "HSP001", "HSP005",
-    "LIB003", "NST001", "OBL002", "PTR001", "PTR002", "PTR004", "SAF001", "IEC011", "SAF002",
+    "PRT001", "STK001", "ARI003", "CTL009", "DBA002", "DBA006", "HSP001", "HSP005",
+    "LIB003", "NST001", "OBL002", "PTR001", "PTR004", "SAF001", "IEC011", "SAF002",
     "SAF003", "SAF004", "SCR002", "SUB002", "SUB006", "TIM001", "TIM002",
 };
 
