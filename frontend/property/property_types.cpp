@@ -34,6 +34,19 @@ void makeReal(Expr& expr, std::uint32_t node) {
   n.width = 32;
 }
 
+bool isComputed(const ExprNode& n) {
+  return n.type == ExprType::Number &&
+         (n.op == ExprOp::Negate || n.op == ExprOp::Add || n.op == ExprOp::Sub || n.op == ExprOp::Mul);
+}
+
+/// Whether the pattern would be negative in 16 or 32 bits.
+bool hasHighestBit(std::int64_t pattern) {
+  for (const int w : {16, 32}) {
+    if (pattern >> w == 0) return (pattern >> (w - 1) & 1) != 0;
+  }
+  return false;
+}
+
 bool isLongReal(const ExprNode& n) { return n.type == ExprType::Real && n.width == 64; }
 
 /// Beside an LREAL constants are ones of 64 bits, and what is computed from them.
@@ -79,12 +92,15 @@ bool comparesTruth(const Expr& expr, ExprOp op, std::uint32_t left, std::uint32_
 void fitConstant(Expr& expr, std::uint32_t constant, std::uint32_t other, std::vector<std::string>& remarks) {
   ExprNode& number = expr.nodes[constant];
   const ExprNode* address = addressBehind(expr, other);
-  if (number.op != ExprOp::Constant || number.type != ExprType::Number || address == nullptr ||
-      address->type != ExprType::Number)
-    return;
+  if (number.op != ExprOp::Constant || number.type != ExprType::Number) return;
+  const bool isPattern = number.operand.form == ConstantForm::Hex;
+  if (address == nullptr && isPattern && isComputed(expr.nodes[other]) && hasHighestBit(number.value))
+    remarks.push_back(fmt::format("beside a sum or product a pattern is a number: 16#{0:X} is {0}", number.value));
+  if (address == nullptr || address->type != ExprType::Number) return;
   const int w = address->width;
   if (w >= 64) return;
-  if (number.operand.form == ConstantForm::Hex && w >= 16 && number.value >> w == 0) {
+  const bool isSigned = w == 8 || w == 16 || w == 32;
+  if (isPattern && isSigned && number.value >> w == 0) {
     if ((number.value >> (w - 1) & 1) != 0) number.value -= std::int64_t{1} << w;
     number.width = signedWidth(number.value);
     return;

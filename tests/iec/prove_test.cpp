@@ -230,5 +230,14 @@ TEST(IecProve, AConversionThatDoesNotFitHasAnyValue) {
   }
 }
 
+/// 16#FF beside an SINT is its bit pattern, -1, as 16#FFFF is beside an INT; unsigned numbers are what they are.
+TEST(IecProve, HexadecimalNumbersArePatternsOfSignedOnes) {
+  const std::string text =
+      "PROGRAM P\nVAR s : SINT; i : INT; d : DINT; u : USINT; w : UINT; END_VAR\n"
+      "s := -1; i := -1; d := -1; u := 255; w := 65535;\nEND_PROGRAM\n";
+  for (const char* property : {"s = 16#FF", "i = 16#FFFF", "d = 16#FFFFFFFF", "u = 16#FF", "w = 16#FFFF", "s < 16#7F"})
+    EXPECT_EQ(verdictOf(text, property), "PROVED") << property;
+}
+
 }  // namespace
 }  // namespace rungproof

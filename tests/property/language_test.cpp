@@ -92,6 +92,15 @@ TEST(PropertyLanguage, ConstantsFitWhatStandsBesideThem) {
   EXPECT_EQ(p[5].first.nodes[2].type, ExprType::Real) << "a difference of double words beside a REAL";
 }
 
+TEST(PropertyTypes, APatternBesideASumIsANumberAndThatIsSaid) {
+  Reading reading("prove a: VW0 + 0 = 16#8000\nprove b: VW0 + 0 = 16#7FFF\nprove c: VW0 = 16#8000\n");
+  ASSERT_EQ(reading.set.properties.size(), 3U);
+  ASSERT_EQ(reading.set.properties[0].remarks.size(), 1U);
+  EXPECT_EQ(reading.set.properties[0].remarks[0], "beside a sum or product a pattern is a number: 16#8000 is 32768");
+  EXPECT_TRUE(reading.set.properties[1].remarks.empty());
+  EXPECT_TRUE(reading.set.properties[2].remarks.empty());
+}
+
 TEST(PropertyLanguage, AddressesMustExistOnTheCpu) {
   PropertySet set;
   std::vector<Finding> findings;
