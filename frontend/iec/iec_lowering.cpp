@@ -164,8 +164,10 @@ void Lowering::initialize(const Type& type, std::uint32_t offset, const Initial*
   }
   if (!type.isValue()) return;
   if (initial == nullptr || initial->value == nullptr) {
-    if (!type.isLong() && (type.low > 0 || type.high < 0))
+    if (!type.isLong() && (type.low > 0 || type.high < 0 || isSubrange(type)))
       writeInitial(type, offset, {&type, type.low});
+    if (isSubrange(type) && type.low < 0 && type.high >= 0)
+      openStarts_.emplace_back(&type, offset);
     else if (type.kind == Kind::Enum && !type.items.empty())
       writeInitial(type, offset, {&type, type.items[0].second});
     return;

@@ -163,6 +163,7 @@ class Lowering {
   void callTasks(const std::vector<std::size_t>& order);
   std::vector<bool> interruptible() const;
   void startPhases();
+  void startSubranges();
 
   // iec_emission.cpp
   void emit(std::string_view mnemonic, std::initializer_list<std::int64_t> numbers = {});
@@ -339,7 +340,8 @@ class Lowering {
   std::vector<ProgramRun> runs_;  ///< parallel to programs_
   std::vector<BlockInstance*> programs_;
   std::vector<BlockInstance*> timers_;
-  std::vector<std::pair<BlockInstance*, std::int64_t>> steps_;  ///< of charts, with VariableSyntax::longestClock
+  std::vector<std::pair<const Type*, std::uint32_t>> openStarts_;  ///< subranges with 0 inside that start by a reading
+  std::vector<std::pair<BlockInstance*, std::int64_t>> steps_;     ///< of charts, with VariableSyntax::longestClock
   std::set<const ActionSyntax*> openActions_;
   std::map<std::string, std::uint32_t> places_;  ///< by address in capitals
   std::vector<SharedPlace> shared_;

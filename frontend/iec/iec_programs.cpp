@@ -232,6 +232,26 @@ void Lowering::callProgram(std::size_t number) {
   if (mayWait) label(skip);
 }
 
+/// By one reading the variables of subranges that hold 0 start with it; what nobody gives a first value to.
+void Lowering::startSubranges() {
+  if (openStarts_.empty()) return;
+  const Type& boolean = *elementaryType("BOOL");
+  const std::uint32_t hasBegun = allocate(1);
+  const int end = newLabel();
+  load(boolean, hasBegun);
+  emit("NOT", {1});
+  emit("READING", {static_cast<std::int64_t>(Choice::IecSubrangeStart), 1});
+  emit("AND", {1});
+  jumpIfFalse(end);
+  for (const auto& [type, offset] : openStarts_) {
+    constant(0, type->width);
+    store(*type, offset);
+  }
+  label(end);
+  constant(1, 1);
+  store(boolean, hasBegun);
+}
+
 /// By the reading `any` a task of a longer interval may begin in any scan of it; its program's PHASE says in which.
 void Lowering::startPhases() {
   if (std::ranges::none_of(runs_, [](const ProgramRun& run) { return run.every > 1; })) return;
@@ -362,6 +382,7 @@ void Lowering::makeMain() {
     for (std::size_t i = 0; i < runs_.size(); ++i) runs_[i].isInterruptible = shares[i];
     joinInputs();
     startPhases();
+    startSubranges();
     askEvents();
     if (byPriority == declared) {
       callTasks(declared);

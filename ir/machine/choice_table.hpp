@@ -96,6 +96,7 @@ enum class Choice : std::uint8_t {
   IecPreemption,
   IecByteOrder,
   IecConditionBlocks,
+  IecSubrangeStart,
   count
 };
 
@@ -262,8 +263,7 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      "detached-events",
      {"kept", "dropped", ""},
      "events that wait in a queue when DTCH detaches them: they stay and their routine still runs, which is why the "
-     "text "
-     "lets CEVNT clear them after DTCH, or they are dropped; the prover covers both",
+     "text lets CEVNT clear them after DTCH, or they are dropped; the prover covers both",
      "001:5357"},
     {Choice::BlockMoveNothing,
      "block-move-zero",
@@ -325,14 +325,14 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
     {Choice::S5Time,
      "s5-time",
      {"synchronous", "any", ""},
-     "S7-300/400: when an S5 timer of n units ends: n units after its start, seen when the next scan begins, or at any "
-     "instruction, the first unit short by up to one time base",
+     "S7-300/400: when an S5 timer of n units ends: n units after its start, seen when the next scan begins, or at "
+     "any instruction, the first unit short by up to one time base",
      "003:1020"},
     {Choice::OpenBlockPointer,
      "open-block-pointer",
      {"number", "zero", ""},
-     "S7-300/400: the data block in a POINTER or ANY for data that is written without its block (DBW 4, P#DBX 4.0 BYTE "
-     "2): the number of the open one, or 0",
+     "S7-300/400: the data block in a POINTER or ANY for data that is written without its block (DBW 4, P#DBX 4.0 "
+     "BYTE 2): the number of the open one, or 0",
      "002:2193"},
     {Choice::ParameterPointer,
      "parameter-pointer",
@@ -343,8 +343,8 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
     {Choice::HotRestart,
      "hot-restart",
      {"possible", "excluded", ""},
-     "S7-400 with OB101: whether the parameters of the CPU let it begin a hot restart; what that leaves is not stated, "
-     "so that nothing is proved beside OB101 unless it is excluded",
+     "S7-400 with OB101: whether the parameters of the CPU let it begin a hot restart; what that leaves is not "
+     "stated, so that nothing is proved beside OB101 unless it is excluded",
      "002:1389",
      ChoiceKind::Fact},
     {Choice::LongestScan,
@@ -421,8 +421,8 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
     {Choice::IecEnFalseResult,
      "iec-en-false-result",
      {"kept", "zero", ""},
-     "IEC 61131-3: what takes the result of a function with EN while EN is FALSE: it keeps its value (in a drawing the "
-     "output of a comparison gives what it gave last), or gets 0",
+     "IEC 61131-3: what takes the result of a function with EN while EN is FALSE: it keeps its value (in a drawing "
+     "the output of a comparison gives what it gave last), or gets 0",
      "IEC 61131-3",
      ChoiceKind::Fact},
     {Choice::IecSfcOrder,
@@ -466,8 +466,7 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      "iec-fbd-order",
      {"execution-id", "position", ""},
      "IEC 61131-3: in which order the results of a drawing are computed that numbers its elements: by these numbers, "
-     "or "
-     "from top to bottom",
+     "or from top to bottom",
      "IEC 61131-3"},
     {Choice::IecLdFlow,
      "iec-ld-flow",
@@ -516,24 +515,21 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      "iec-sfc-selection",
      {"one", "all-true", ""},
      "IEC 61131-3: how many transitions behind one step fire that are TRUE together and have no priority: the first, "
-     "as "
-     "the standard wants it, or all",
+     "as the standard wants it, or all",
      "IEC 61131-3",
      ChoiceKind::Fact},
     {Choice::IecInout,
      "iec-inout",
      {"reference", "copy", ""},
      "IEC 61131-3: whether IN_OUT is the variable of the caller itself, or a copy that is written back behind the "
-     "body; "
-     "it matters where two of them are one variable, or a global one",
+     "body; it matters where two of them are one variable, or a global one",
      "IEC 61131-3",
      ChoiceKind::Fact},
     {Choice::IecTimerClock,
      "iec-timer-clock",
      {"scan", "", ""},
-     "IEC 61131-3: all timers see one clock in a scan; controllers that read the clock at each call, so that two calls "
-     "in "
-     "one scan differ, are not modelled",
+     "IEC 61131-3: all timers see one clock in a scan; controllers that read the clock at each call, so that two "
+     "calls in one scan differ, are not modelled",
      "IEC 61131-3",
      ChoiceKind::Fact},
     {Choice::IecTimerExpiry,
@@ -568,8 +564,8 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
     {Choice::IecHexLiteral,
      "iec-hex-literal",
      {"pattern", "", ""},
-     "IEC 61131-3: 16#FFFF for an INT is the number with these bits, -1; implementations that take it for 65535 refuse "
-     "the program",
+     "IEC 61131-3: 16#FFFF for an INT is the number with these bits, -1; implementations that take it for 65535 "
+     "refuse the program",
      "IEC 61131-3",
      ChoiceKind::Fact},
     {Choice::IecPreemption,
@@ -583,15 +579,18 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      "iec-byte-order",
      {"little", "big", ""},
      "IEC 61131-3: where words and bytes share places, whether the low byte of a word is at the lower address or at "
-     "the "
-     "higher one",
+     "the higher one",
      "IEC 61131-3"},
     {Choice::IecConditionBlocks,
      "iec-condition-blocks",
      {"while-enabled", "each-scan", ""},
      "IEC 61131-3: whether function blocks in the drawn condition of a transition are called where it is computed, "
-     "while "
-     "its steps are active, or behind the transitions of every scan",
+     "while its steps are active, or behind the transitions of every scan",
+     "IEC 61131-3"},
+    {Choice::IecSubrangeStart,
+     "iec-subrange-start",
+     {"first", "zero", ""},
+     "IEC 61131-3: a variable whose subrange holds 0 starts with the first value of the subrange, or with 0",
      "IEC 61131-3"},
 }};
 
