@@ -32,13 +32,13 @@ constexpr std::array<ElementRow, 8> elementRows = {{{"S_PULSE", "SP"},
                                                     {"S_CD", "", true},
                                                     {"S_CUD", "", true}}};
 
-std::string unquoted(std::string_view name) {
+std::string sclName(std::string_view name) {
   if (name.starts_with('#')) name.remove_prefix(1);
   if (name.size() > 1 && name.starts_with('"') && name.ends_with('"')) name = name.substr(1, name.size() - 2);
   return std::string(name);
 }
 
-bool isFormal(const s7300::Field& field) { return field.section <= Section::InOut; }
+bool isSclFormal(const s7300::Field& field) { return field.section <= Section::InOut; }
 
 }  // namespace
 
@@ -90,7 +90,7 @@ std::optional<SclValue> SclLowering::blockCall(const iec::Expr& expr, bool isSta
     Cursor cursor(name, expr.span.file);
     if (const std::optional<BlockName> block = readBlockName(cursor); block && cursor.atEnd())
       return BlockKey{*block->kind, block->number};
-    return catalogue_.keyOf(BlockName{std::nullopt, 0, unquoted(name), expr.parts[part].span});
+    return catalogue_.keyOf(BlockName{std::nullopt, 0, sclName(name), expr.parts[part].span});
   };
   const auto blockOperand = [&](BlockKey key, std::size_t part) {
     Operand operand;
@@ -101,14 +101,14 @@ std::optional<SclValue> SclLowering::blockCall(const iec::Expr& expr, bool isSta
   };
   const auto missing = [&](std::size_t part) {
     reports_.reportOnce(Syntax::BlockMissing, expr.parts[part].span,
-                        fmt::format("{} is in none of the files", unquoted(expr.parts[part].name)), scope_.name,
+                        fmt::format("{} is in none of the files", sclName(expr.parts[part].name)), scope_.name,
                         network_->number);
     throw Refused{};
   };
   if (isLocal(expr.parts[0].name)) {
     made.operand.form = OperandForm::Local;
     made.operand.span = expr.parts[0].span;
-    for (const iec::PathPart& part : expr.parts) made.operand.path.push_back({unquoted(part.name), {}, part.span});
+    for (const iec::PathPart& part : expr.parts) made.operand.path.push_back({sclName(part.name), {}, part.span});
     const BoundOperand instance = bound(made.operand);
     const std::string type = instance.type ? instance.type->name : std::string();
     const bool isSystem = type.starts_with("SFB ");
@@ -177,7 +177,7 @@ std::optional<SclValue> SclLowering::blockCall(const iec::Expr& expr, bool isSta
     } else {
       field = parameters->field(given.name);
     }
-    if (field == nullptr || !isFormal(*field) || (given.name.empty() && hasInstanceData)) {
+    if (field == nullptr || !isSclFormal(*field) || (given.name.empty() && hasInstanceData)) {
       refuse(given.span,
              fmt::format("{} has no parameter {}", toString(callee),
                          given.name.empty() ? written(given.span) : given.name),

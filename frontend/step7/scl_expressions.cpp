@@ -54,11 +54,11 @@ std::optional<TypeKind> typeInFront(std::string_view prefix) {
   return row == rows.end() ? std::nullopt : std::optional(row->second);
 }
 
-bool isNumber(TypeKind kind) { return kind == TypeKind::Int || kind == TypeKind::DInt || kind == TypeKind::Real; }
-bool isBits(TypeKind kind) { return kind == TypeKind::Byte || kind == TypeKind::Word || kind == TypeKind::DWord; }
+bool isSclNumber(TypeKind kind) { return kind == TypeKind::Int || kind == TypeKind::DInt || kind == TypeKind::Real; }
+bool isSclBits(TypeKind kind) { return kind == TypeKind::Byte || kind == TypeKind::Word || kind == TypeKind::DWord; }
 
 /// 5, 1_000, 1.5, 2e3.
-std::optional<Constant> plainNumber(std::string_view written) {
+std::optional<Constant> sclNumeral(std::string_view written) {
   std::string text;
   for (const char c : written) {
     if (c != '_') text += c;
@@ -101,7 +101,7 @@ SclValue SclLowering::literal(const iec::Expr& expr) {
     return made(constant, false);
   }
   if (expr.kind == iec::ExprKind::Literal && expr.prefix.empty() && expr.text.find('#') == std::string::npos) {
-    const std::optional<Constant> number = plainNumber(expr.text);
+    const std::optional<Constant> number = sclNumeral(expr.text);
     if (!number) refuse(expr.span, fmt::format("{} is no number", written(expr.span)), Syntax::SclText);
     return made(*number, number->kind == ConstantKind::Integer);
   }
@@ -109,7 +109,7 @@ SclValue SclLowering::literal(const iec::Expr& expr) {
   const std::string text =
       typed ? expr.text : std::string(reports_.program().sources->file(expr.span.file).text(expr.span));
   std::optional<Constant> constant;
-  if (typed) constant = plainNumber(text);
+  if (typed) constant = sclNumeral(text);
   if (!constant) {
     Cursor cursor(text, expr.span.file);
     ConstantOutcome outcome = readConstant(cursor, MnemonicSet::International, TextEncoding::Utf8);
@@ -161,20 +161,20 @@ SclValue SclLowering::valueAs(const iec::Expr& expr, Kind kind) {
 namespace {
 
 /// Whether its value needs no register.
-bool isSimple(const iec::Expr& expr) {
+bool isSclLeaf(const iec::Expr& expr) {
   if (expr.kind == iec::ExprKind::Literal || expr.kind == iec::ExprKind::Text) return true;
   return expr.kind == iec::ExprKind::Path && std::ranges::none_of(expr.parts, [](const iec::PathPart& part) {
            return part.kind == iec::PathPart::Kind::Index;
          });
 }
 
-bool isConstant(const SclValue& value) { return value.isPlain && value.operand.form == OperandForm::Constant; }
+bool isSclConstant(const SclValue& value) { return value.isPlain && value.operand.form == OperandForm::Constant; }
 
 }  // namespace
 
 /// A value that the next expression must not change any more: it stands in a register, or a call may write it.
 SclValue SclLowering::heldBefore(SclValue value, const iec::Expr& next) {
-  const bool isLost = value.isPlain ? calls(next) && !isConstant(value) : !isSimple(next);
+  const bool isLost = value.isPlain ? calls(next) && !isSclConstant(value) : !isSclLeaf(next);
   return isLost ? inTemporary(value) : value;
 }
 
@@ -225,8 +225,8 @@ SclValue SclLowering::negated(SclValue value) {
 
 SclValue SclLowering::joined(const std::string& op, SclValue left, SclValue right, Span span) {
   const auto truth = [](const SclValue& value) { return (value.operand.constant.value != 0) != value.isNegated; };
-  if (isConstant(right)) return withConstant(op, truth(right), left);
-  if (isConstant(left)) return withConstant(op, truth(left), right);
+  if (isSclConstant(right)) return withConstant(op, truth(right), left);
+  if (isSclConstant(left)) return withConstant(op, truth(left), right);
   if (!right.isPlain) std::swap(left, right);  // the RLO holds at most one of them: it goes first
   scan(left);
   const char letter = op == "AND" ? 'A' : op == "OR" ? 'O' : 'X';
@@ -251,7 +251,7 @@ SclValue SclLowering::words(const std::string& op, const iec::Expr& expr, SclVal
 
 SclValue SclLowering::wordsOf(const std::string& op, const iec::Expr& expr, SclValue left, SclValue right) {
   const Kind kind = commonKind(left, right, expr.span);
-  if (!isBits(kind)) refuse(expr.span, fmt::format("{} takes BOOL, BYTE, WORD and DWORD", op), Syntax::SclType);
+  if (!isSclBits(kind)) refuse(expr.span, fmt::format("{} takes BOOL, BYTE, WORD and DWORD", op), Syntax::SclType);
   loadBoth(left, right, kind);
   emit((op == "AND" ? "A" : op == "OR" ? "O" : "XO") + std::string(kind == Kind::DWord ? "D" : "W"));
   return inRegister(kind, expr.span);
@@ -309,7 +309,7 @@ SclValue SclLowering::arithmetic(const iec::Expr& expr) {
   }
   if (!isSum) {
     for (const auto& [value, operand] : {std::pair{&left, &first}, {&right, &second}}) {
-      if (isNumber(value->kind)) continue;
+      if (isSclNumber(value->kind)) continue;
       refuse(operand->span,
              value->isUntyped ? fmt::format("{} is an address, no number: write WORD_TO_INT or DWORD_TO_DINT around it",
                                             written(operand->span))
@@ -334,7 +334,7 @@ SclValue SclLowering::unary(const iec::Expr& expr) {
   SclValue made = value(inner);
   if (expr.text == "NOT") {
     if (made.kind == Kind::Bool) return negated(made);
-    if (made.isLiteral || !isBits(made.kind))
+    if (made.isLiteral || !isSclBits(made.kind))
       refuse(expr.span, "NOT takes BOOL, BYTE, WORD and DWORD", Syntax::SclType);
     load(made);
     emit(made.kind == Kind::DWord ? "INVD" : "INVI");
@@ -346,7 +346,7 @@ SclValue SclLowering::unary(const iec::Expr& expr) {
     }
     return inRegister(made.kind, expr.span);
   }
-  if (isConstant(made)) {
+  if (isSclConstant(made)) {
     Constant& constant = made.operand.constant;
     const bool isNumberOfText = constant.kind == ConstantKind::Integer || constant.kind == ConstantKind::Long;
     if (constant.kind == ConstantKind::Real) constant.value ^= 0x80000000;
@@ -358,7 +358,7 @@ SclValue SclLowering::unary(const iec::Expr& expr) {
       return made;
     }
   }
-  if (!isNumber(made.kind) && made.kind != Kind::Time)
+  if (!isSclNumber(made.kind) && made.kind != Kind::Time)
     refuse(expr.span, fmt::format("{} has no sign", written(inner.span)), Syntax::SclType);
   load(made);
   emit(made.kind == Kind::Int ? "NEGI" : made.kind == Kind::Real ? "NEGR" : "NEGD");

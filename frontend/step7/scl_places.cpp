@@ -18,7 +18,7 @@ using s7300::TypeKind;
 
 namespace {
 
-std::string withoutMarks(std::string_view name) {
+std::string sclBareName(std::string_view name) {
   if (name.starts_with('#')) name.remove_prefix(1);
   if (name.size() > 1 && name.starts_with('"') && name.ends_with('"')) name = name.substr(1, name.size() - 2);
   return std::string(name);
@@ -102,7 +102,7 @@ std::optional<Operand> SclLowering::absolute(const iec::Expr& expr) {
     if (number || isSymbol) {
       operand.form = OperandForm::Address;
       operand.block = number ? BlockName{BlockKind::Db, *number, {}, parts[0].span}
-                             : BlockName{std::nullopt, 0, withoutMarks(parts[0].name), parts[0].span};
+                             : BlockName{std::nullopt, 0, sclBareName(parts[0].name), parts[0].span};
       if (hasBit != (operand.size == Size::Bit) || (hasBit && parts.back().bit > 7))
         refuse(expr.span, fmt::format("{} is no address", written(expr.span)), Syntax::SclText);
       operand.bit = static_cast<std::uint8_t>(hasBit ? parts.back().bit : 0);
@@ -140,10 +140,10 @@ Operand SclLowering::operandOf(const iec::Expr& expr,
   std::size_t next = 1;
   if (isOwn) {
     operand.form = OperandForm::Local;
-    operand.path.push_back({withoutMarks(first), {}, expr.parts[0].span});
+    operand.path.push_back({sclBareName(first), {}, expr.parts[0].span});
   } else {
     operand.form = OperandForm::Symbol;
-    operand.name = dataBlock ? fmt::format("DB{}", *dataBlock) : withoutMarks(first);
+    operand.name = dataBlock ? fmt::format("DB{}", *dataBlock) : sclBareName(first);
     if (dataBlock) operand.block = BlockName{BlockKind::Db, *dataBlock, {}, expr.parts[0].span};
     const bool isKnown = first.starts_with('"') || dataBlock || catalogue_.symbol(first) != nullptr ||
                          catalogue_.keyOf(BlockName{std::nullopt, 0, first, expr.parts[0].span});
@@ -156,7 +156,7 @@ Operand SclLowering::operandOf(const iec::Expr& expr,
   for (; next < expr.parts.size(); ++next) {
     const iec::PathPart& part = expr.parts[next];
     if (part.kind == PartKind::Name) {
-      operand.path.push_back({withoutMarks(part.name), {}, part.span});
+      operand.path.push_back({sclBareName(part.name), {}, part.span});
     } else if (part.kind == PartKind::Bit) {
       refuse(part.span, fmt::format("parts of a value such as {} are not covered", written(expr.span)));
     } else {
@@ -364,7 +364,7 @@ SclValue SclLowering::path(const iec::Expr& expr) {
   if (spot.bound.constant) {
     made.isPlain = true;
     made.operand = sclConstant(*spot.bound.constant, expr.span);
-    const s7300::Field* const field = isAlone ? scope_.constants->field(withoutMarks(first)) : nullptr;
+    const s7300::Field* const field = isAlone ? scope_.constants->field(sclBareName(first)) : nullptr;
     const bool isReal = made.operand.constant.kind == ConstantKind::Real;
     made.kind = field != nullptr ? field->type.kind : isReal ? Kind::Real : Kind::Int;
     made.isLiteral = field == nullptr && !isReal;

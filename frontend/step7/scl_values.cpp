@@ -15,7 +15,9 @@ using s7300::TypeKind;
 
 namespace {
 
-bool isBitString(TypeKind kind) { return kind == TypeKind::Byte || kind == TypeKind::Word || kind == TypeKind::DWord; }
+bool isSclBitString(TypeKind kind) {
+  return kind == TypeKind::Byte || kind == TypeKind::Word || kind == TypeKind::DWord;
+}
 
 bool isSclInteger(TypeKind kind) { return kind == TypeKind::Int || kind == TypeKind::DInt; }
 
@@ -28,7 +30,7 @@ bool widens(TypeKind from, TypeKind to) {
   return from == TypeKind::Word && to == TypeKind::DWord;
 }
 
-std::string nameOf(TypeKind kind) {
+std::string sclTypeName(TypeKind kind) {
   s7300::Type type;
   type.kind = kind;
   return s7300::toString(type);
@@ -202,7 +204,7 @@ std::optional<SclValue> SclLowering::literalAs(const SclValue& value, Kind kind)
     constant.value = std::bit_cast<std::uint32_t>(static_cast<float>(given.value));
     return made;
   }
-  if (isBitString(value.kind) && isBitString(kind) && widens(value.kind, kind)) {
+  if (isSclBitString(value.kind) && isSclBitString(kind) && widens(value.kind, kind)) {
     constant.kind = kind == Kind::Word ? ConstantKind::Word : ConstantKind::DWord;
     return made;
   }
@@ -212,7 +214,7 @@ std::optional<SclValue> SclLowering::literalAs(const SclValue& value, Kind kind)
 SclValue SclLowering::as(SclValue value, Kind kind, Span span) {
   if (value.isLiteral) {
     if (const std::optional<SclValue> made = literalAs(value, kind)) return *made;
-    refuse(span, fmt::format("{} is no {}", written(value.span), nameOf(kind)), Syntax::SclType);
+    refuse(span, fmt::format("{} is no {}", written(value.span), sclTypeName(kind)), Syntax::SclType);
   }
   if (value.kind == kind) return value;
   if (value.isUntyped && sclBits(value.kind) == sclBits(kind)) {
@@ -220,8 +222,10 @@ SclValue SclLowering::as(SclValue value, Kind kind, Span span) {
     return value;
   }
   if (!widens(value.kind, kind))
-    refuse(span, fmt::format("{} is {}, and {} is needed here", written(value.span), nameOf(value.kind), nameOf(kind)),
-           Syntax::SclType);
+    refuse(
+        span,
+        fmt::format("{} is {}, and {} is needed here", written(value.span), sclTypeName(value.kind), sclTypeName(kind)),
+        Syntax::SclType);
   if (const std::optional<SclValue> made = literalAs(value, kind)) return *made;
   load(value);
   if (value.kind == Kind::Int) emit("ITD");
@@ -242,14 +246,15 @@ SclLowering::Kind SclLowering::commonKind(const SclValue& left, const SclValue& 
     const Kind typed = (left.isLiteral ? right : left).kind;
     if (literalAs(number, typed)) return typed;
     if (typed == Kind::Int && literalAs(number, Kind::DInt)) return Kind::DInt;  // 40000 beside an INT
-    refuse(span, fmt::format("{} is no {}", written(number.span), nameOf(typed)), Syntax::SclType);
+    refuse(span, fmt::format("{} is no {}", written(number.span), sclTypeName(typed)), Syntax::SclType);
   }
   if (widens(left.kind, right.kind)) return right.kind;
   if (widens(right.kind, left.kind)) return left.kind;
   const bool isSameWidth = sclBits(left.kind) == sclBits(right.kind);
   if (left.isUntyped && isSameWidth) return right.kind;
   if (right.isUntyped && isSameWidth) return left.kind;
-  refuse(span, fmt::format("{} and {} do not go together", nameOf(left.kind), nameOf(right.kind)), Syntax::SclType);
+  refuse(span, fmt::format("{} and {} do not go together", sclTypeName(left.kind), sclTypeName(right.kind)),
+         Syntax::SclType);
 }
 
 }  // namespace rungproof::step7
