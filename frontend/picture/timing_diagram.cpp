@@ -57,7 +57,7 @@ std::string bitLane(const Trace& trace, std::size_t column, const std::vector<Dr
   bool isDown = false;  // pen is on the paper
   double level = 0;
   for (const DrawnStretch& s : list) {
-    const std::optional<double> value = trace.rows[s.row].values[column];
+    const std::optional<TraceNumber> value = trace.rows[s.row].values[column];
     if (!value) {
       unknown += fmt::format("<rect class=\"x\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{}\"/>", s.x, y,
                              s.width, levelHeight);
@@ -77,7 +77,7 @@ std::string bitLane(const Trace& trace, std::size_t column, const std::vector<Dr
 std::string numberLane(const Trace& trace, std::size_t column, const std::vector<DrawnStretch>& list, double y) {
   std::string text;
   for (std::size_t i = 0; i < list.size();) {
-    const std::optional<double> value = trace.rows[list[i].row].values[column];
+    const std::optional<TraceNumber> value = trace.rows[list[i].row].values[column];
     std::size_t j = i + 1;
     while (j < list.size() && trace.rows[list[j].row].values[column] == value) ++j;
     const double x = list[i].x, end = list[j - 1].x + list[j - 1].width, slope = std::min(3.0, (end - x) / 3);

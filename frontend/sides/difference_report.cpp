@@ -166,8 +166,8 @@ TestTable DifferenceReport::table() const {
 std::string DifferenceReport::lastChange(const Trace& table, std::size_t inputs) const {
   for (std::size_t row = table.rows.size(); row-- > 0;) {
     for (std::size_t i = 0; i < inputs; ++i) {
-      const std::optional<double> now = table.rows[row].values[i];
-      const std::optional<double> then = row == 0 ? std::optional(0.0) : table.rows[row - 1].values[i];
+      const std::optional<TraceNumber> now = table.rows[row].values[i];
+      const std::optional<TraceNumber> then = row == 0 ? std::optional(TraceNumber{0}) : table.rows[row - 1].values[i];
       if (now != then && now)
         return fmt::format("last change of an input: {} becomes {} in scan {}", table.signals[i].name,
                            numberText(*now, table.signals[i].type), table.rows[row].scan);

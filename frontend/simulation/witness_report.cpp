@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
+#include <cmath>
 
 #include "engine/device_end.hpp"
 #include "frontend/simulation/event_place.hpp"
@@ -40,8 +40,9 @@ bool isIdle(const Witness& witness, std::size_t scan, const Operand& signal) {
 /// The same texts for sure: the same events and the same bits of every number.
 bool areSame(const TraceRow& a, const TraceRow& b) {
   const auto isEqual = [](const std::optional<TraceNumber>& x, const std::optional<TraceNumber>& y) {
-    return x.has_value() == y.has_value() &&
-           (!x || std::bit_cast<std::uint64_t>(*x) == std::bit_cast<std::uint64_t>(*y));
+    if (!x || !y) return x.has_value() == y.has_value();
+    const bool isAlike = *x == *y || (std::isnan(*x) && std::isnan(*y));
+    return isAlike && std::signbit(*x) == std::signbit(*y);
   };
   return a.events == b.events && a.newEvents == b.newEvents && a.devices == b.devices &&
          std::equal(a.values.begin(), a.values.end(), b.values.begin(), b.values.end(), isEqual);

@@ -143,7 +143,7 @@ TEST(VcdTrace, IdentifiersForManySignals) {
   Trace trace;
   const Program program;
   for (std::uint32_t i = 0; i < 300; ++i) trace.signals.push_back(signalOf(program, direct(Area::V, Width::Bit, i, 0)));
-  trace.rows.push_back({1, 10000, 10000, std::vector<std::optional<double>>(300, 1.0)});
+  trace.rows.push_back({1, 10000, 10000, std::vector<std::optional<TraceNumber>>(300, 1.0)});
   EXPECT_EQ(Vcd(written(trace, ".vcd")).names.size(), 301U);  // with the count of scans
 }
 

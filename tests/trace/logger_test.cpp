@@ -29,7 +29,7 @@ std::string shown(const Recorded& read) {
   std::string text;
   for (const TraceRow& row : read.trace.rows) {
     text += fmt::format("{}{:g}:", text.empty() ? "" : " | ", static_cast<double>(row.timeUs) / 1000);
-    for (const std::optional<double>& value : row.values) text += value ? fmt::format(" {:g}", *value) : " x";
+    for (const std::optional<TraceNumber>& value : row.values) text += value ? fmt::format(" {:g}", *value) : " x";
   }
   return text;
 }

@@ -23,7 +23,7 @@ std::string shownDump(const std::string& text, const TraceImport& import = {}) {
   for (const TraceSignal& signal : trace.signals) result += signal.name + " ";
   for (const TraceRow& row : trace.rows) {
     result += fmt::format("| {:g}:", static_cast<double>(row.timeUs) / 1000);
-    for (const std::optional<double>& value : row.values) result += value ? fmt::format(" {:g} ", *value) : " x ";
+    for (const std::optional<TraceNumber>& value : row.values) result += value ? fmt::format(" {:g} ", *value) : " x ";
   }
   return result;
 }
