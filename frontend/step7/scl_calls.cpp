@@ -252,6 +252,7 @@ std::optional<SclValue> SclLowering::blockCall(const iec::Expr& expr, bool isSta
   if (!returned && !isStatement)
     refuse(expr.span, fmt::format("{} has no value", written(expr.parts[0].span)), Syntax::SclType);
   span_ = expr.span;
+  hasCalls_ = true;
   network_->statements.push_back(std::move(made));
   for (const Given& output : outputs) giveOut(*output.argument, output.value);
   if (enable != nullptr) mark(skip);

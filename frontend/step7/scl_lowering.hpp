@@ -153,7 +153,8 @@ class SclLowering {
   const SclBody* body_ = nullptr;
   NetworkSyntax* network_ = nullptr;
   std::vector<Loop> loops_;
-  std::optional<Operand> ok_;  ///< the flag OK, where the body writes it
+  bool mayOverflow_ = false, hasCalls_ = false;  ///< some statement of the body
+  std::optional<Operand> ok_;                    ///< the flag OK, where the body writes it
   std::string endLabel_;
   bool isLeft_ = false;               ///< a RETURN jumps to the end
   bool isPart_ = false;               ///< one network among others

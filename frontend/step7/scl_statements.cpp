@@ -6,6 +6,7 @@
 
 #include "frontend/step7/scl_lowering.hpp"
 #include "frontend/stl/syntax_sink.hpp"
+#include "ir/s7300/index_check.hpp"
 
 namespace rungproof::step7 {
 
@@ -69,11 +70,12 @@ std::vector<NetworkSyntax> SclLowering::lower(const SclBody& body, const Network
     span_ = {networks.back().span.file, networks.back().span.offset + networks.back().span.length, 0};
     if (isLeft_) mark(endLabel_);
     if (scope_.key.kind != BlockKind::Ob) {
-      if (ok_)
+      if (ok_) {
         emit("A", *ok_);
-      else
-        emit("SET");
-      emit("SAVE");
+        emit("SAVE");
+      } else {
+        emit(std::string(bodyEnd), sclConstant(sclNumber(mayOverflow_ && hasCalls_ ? 1 : 0), span_));
+      }
     }
   }
   if (!networks.empty()) {

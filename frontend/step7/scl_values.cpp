@@ -7,6 +7,8 @@
 
 #include "frontend/step7/scl_lowering.hpp"
 #include "frontend/stl/syntax_sink.hpp"
+#include "ir/s7300/isa.hpp"
+#include "ir/s7300/status_effect.hpp"
 
 namespace rungproof::step7 {
 
@@ -93,6 +95,9 @@ void SclLowering::emit(std::string_view mnemonic, const Operand& operand) {
   if (made.operand.form != OperandForm::None) made.operand.span = operand.span.length > 0 ? operand.span : span_;
   made.span = span_;
   network_->statements.push_back(std::move(made));
+  constexpr std::size_t os = 4;  // in the order of the status word
+  const Desc* desc = s7300Instructions().named(mnemonic);
+  mayOverflow_ = mayOverflow_ || (desc != nullptr && s7300::statusEffect(*desc)[os] == 'x');
 }
 
 void SclLowering::emitJump(std::string_view mnemonic, const std::string& label) {

@@ -1,4 +1,5 @@
-// The name of the instruction by which a body in SCL asks for the bounds of an array; nobody writes it.
+// The names of the instructions that stand in bodies in SCL alone: one asks for the bounds of an array, one ends the
+// body. Nobody writes them.
 #pragma once
 
 #include <string_view>
@@ -6,5 +7,6 @@
 namespace rungproof {
 
 inline constexpr std::string_view indexCheck = "INDEX";
+inline constexpr std::string_view bodyEnd = "ENO";
 
 }  // namespace rungproof

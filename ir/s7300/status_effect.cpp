@@ -23,7 +23,7 @@ constexpr auto effectRows = std::to_array<EffectRow>({
     {"------1x-", ",NOT,"},
     {"-----0110", ",SET,"},
     {"-----0000", ",CLR,"},
-    {"x--------", ",SAVE,"},
+    {"x--------", ",SAVE,ENO,"},
     {"xxxxxxxxx", ",T STW,"},
     {"-xxxx----", ",+I,-I,*I,/I,+D,-D,*D,/D,MOD,+R,-R,*R,/R,SQR,SQRT,EXP,LN,SIN,COS,TAN,ASIN,ACOS,ATAN,NEGI,NEGD,"},
     {"---xx----", ",ITB,DTB,RND,TRUNC,RND+,RND-,"},

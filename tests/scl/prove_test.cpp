@@ -81,5 +81,23 @@ TEST(SclProof, EqualToAStatementList) {
   EXPECT_TRUE(other.has("DIFFERENT")) << other.text;
 }
 
+// Whether the compiler was told to set OK is not known: an overflow may clear ENO, and nothing else does.
+TEST(SclProof, AnOverflowMayClearEno) {
+  const std::string function =
+      "FUNCTION FC 8 : INT\nVAR_INPUT\n x : INT;\nEND_VAR\nBEGIN\n FC8 := #x + 1;\nEND_FUNCTION\n"
+      "FUNCTION FC 9 : INT\nVAR_INPUT\n x : INT;\nEND_VAR\nBEGIN\n FC9 := #x;\nEND_FUNCTION\n";
+  const std::string program = function + mainOf(
+                                             "MW20 := FC8(x := WORD_TO_INT(IW0), ENO => M30.0);\n"
+                                             "MW22 := FC9(x := WORD_TO_INT(IW0), ENO => M30.1);");
+  const Output proof = proofOf(
+      "prove always: M30.0\nprove inside: IW0 < 32767 implies M30.0\nprove plain: M30.1\nreach kept: IW0 = 32767 and "
+      "M30.0\n",
+      program);
+  EXPECT_TRUE(proof.has("VIOLATED  always")) << proof.text;
+  EXPECT_TRUE(proof.has("PROVED  inside")) << proof.text;
+  EXPECT_TRUE(proof.has("PROVED  plain")) << proof.text;
+  EXPECT_TRUE(proof.has("REACHABLE  kept")) << proof.text;
+}
+
 }  // namespace
 }  // namespace rungproof

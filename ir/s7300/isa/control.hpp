@@ -48,6 +48,25 @@ struct IndexCheck {
   }
 };
 
+/// The end of a body in SCL that writes no OK: BR is ENO. Whether the compiler was told to set OK is not known; then an
+/// overflow clears it. OS remembers one since the last call; `lost`: it may have forgotten one.
+struct BodyEnd {
+  static constexpr Desc desc = [] {
+    Desc d = withOperands(accuDesc(bodyEnd, {}, "ENO of a body in SCL", "SCL", "general knowledge"),
+                          {in("lost", Type::DInt, form7::Const)});
+    d.drawingOnly = true;
+    return d;
+  }();
+  template <class D>
+  static void run(Step7Args<D>& a) {
+    constexpr std::uint32_t index = 0x30B;  // beside what instructions leave open
+    const bool isLost = a.instruction.operands[0].value != 0;
+    const auto mayFail = isLost ? a.d.constant(true) : a.s.os;
+    if (const auto known = a.d.truth(mayFail); known && !*known) return a.m.put(a.s.br, a.d.constant(true));
+    a.m.put(a.s.br, a.d.lnot(a.d.land(mayFail, a.m.externalBit(External::UnknownResult, index))));
+  }
+};
+
 enum class JumpOn : std::uint8_t { Always, Ov, Zero, NotZero, Plus, Minus, PlusOrZero, MinusOrZero, Unordered };
 
 /// JU, JO, JZ, JN, JP, JM, JPZ, JMZ, JUO: no status bit changes.
@@ -201,7 +220,7 @@ struct ActivateRelay {
 };
 
 using Step7ControlGroup =
-    Group<Label, IndexCheck, PlainJump<JumpOn::Always, "JU", "SPA", "jump", "002:2792">, Distributor,
+    Group<Label, IndexCheck, BodyEnd, PlainJump<JumpOn::Always, "JU", "SPA", "jump", "002:2792">, Distributor,
           RloJump<true, false, "JC", "SPB", "002:2794">, RloJump<false, false, "JCN", "SPBN", "002:2795">,
           RloJump<true, true, "JCB", "SPBB", "002:2796">, RloJump<false, true, "JNB", "SPBNB", "002:2797">,
           BrJump<true, "JBI", "SPBI", "002:2798">, BrJump<false, "JNBI", "SPBIN", "002:2799">,
