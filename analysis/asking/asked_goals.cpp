@@ -2,24 +2,10 @@
 #include "analysis/asking/asked_goals.hpp"
 
 #include "analysis/encoding/asked_properties.hpp"
-#include "engine/simulator.hpp"
 
 namespace rungproof {
 
-namespace {
-
-bool endsAPlainScan(const Program& program, const Choices& choices) {
-  SimulatorOptions options;
-  options.choices = choices;
-  options.engine = EngineKind::Reference;
-  Simulator simulator(program, options);
-  simulator.scan();
-  return simulator.isRunning();
-}
-
-}  // namespace
-
-std::vector<Property> askedGoals(const Program& program, const Choices& choices, const PropertySet& set) {
+std::vector<Property> askedGoals(const PropertySet& set, bool mayEndNoScan) {
   std::vector<Property> goals;
   for (const Property& property : set.properties) {
     if (property.isGoal()) goals.push_back(property);
@@ -29,7 +15,7 @@ std::vector<Property> askedGoals(const Program& program, const Choices& choices,
     if (auto premise = premiseOf(goals[i])) goals.push_back(std::move(*premise));
   }
   const bool assumes = declared < set.properties.size();
-  if (assumes || (declared > 0 && !endsAPlainScan(program, choices))) goals.push_back(someRun());
+  if (assumes || (declared > 0 && mayEndNoScan)) goals.push_back(someRun());
   return goals;
 }
 

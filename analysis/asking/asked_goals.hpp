@@ -3,14 +3,12 @@
 #pragma once
 
 #include "analysis/property.hpp"
-#include "ir/machine/choices.hpp"
-#include "ir/program.hpp"
 
 namespace rungproof {
 
 /// The goals of the set in their order, then their premises as goals to be reached, then someRun() if anything is
-/// assumed, or if a run with all inputs off does not come to the end of its first scan.
-std::vector<Property> askedGoals(const Program& program, const Choices& choices, const PropertySet& set);
+/// assumed, or if the program may end no scan.
+std::vector<Property> askedGoals(const PropertySet& set, bool mayEndNoScan);
 
 /// Reached at the end of the first scan of any run at all: unreachable only if the assumptions contradict each other or
 /// every run stops or loops before. Properties are looked at when a scan ends: of such a program all of them hold.

@@ -15,11 +15,30 @@
 #include "analysis/witness/guided_runs.hpp"
 #include "analysis/witness/question_witness.hpp"
 #include "analysis/witness/witness_minimal.hpp"
+#include "engine/simulator.hpp"
 
 namespace rungproof {
 
+namespace {
+
+/// Whether a run with all inputs off comes to the end of its first scan.
+bool endsAPlainScan(const Program& program, const Choices& choices) {
+  SimulatorOptions options;
+  options.choices = choices;
+  options.engine = EngineKind::Reference;
+  Simulator simulator(program, options);
+  simulator.scan();
+  return simulator.isRunning();
+}
+
+}  // namespace
+
 QuestionSearch::QuestionSearch(const Program& program, const PropertySet& set, const ProverOptions& options)
-    : program_(program), set_(set), options_(options), goals_(askedGoals(program, options.choices, set)), watch_(options.cancel, options.memory) {
+    : program_(program),
+      set_(set),
+      options_(options),
+      goals_(askedGoals(set, !endsAPlainScan(program, options.choices))),
+      watch_(options.cancel, options.memory) {
   for (const Property& property : set.properties) {
     if (property.isGoal())
       ++declared_;

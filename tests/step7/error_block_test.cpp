@@ -118,7 +118,7 @@ TEST(MaskedErrors, NeitherStopNorCall) {
   EXPECT_EQ(simOf(dataBlock(10) + block(1, wrong)).exit, 1);
   EXPECT_EQ(simOf(dataBlock(10) + block(1, mask + wrong)).exit, 0);
   EXPECT_EQ(simOf(dataBlock(10) + block(1, mask + unmask + wrong)).exit, 1);
-  EXPECT_TRUE(proofOf(never, dataBlock(10) + block(1, wrong)).has("PROVED  never"));
+  EXPECT_TRUE(proofOf(never, dataBlock(10) + block(1, wrong)).has("VACUOUS  never"));
   EXPECT_TRUE(proofOf(never, dataBlock(10) + block(1, mask + wrong)).has("VIOLATED  never"));
   const std::string taken = block(121, "SET;= M 2.0");
   EXPECT_TRUE(lastRow(dataBlock(10) + taken + block(1, mask + wrong), "M2.0,M3.0", {"--scans", "1"}).ends_with(",0,1"));

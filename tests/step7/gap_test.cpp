@@ -138,7 +138,7 @@ TEST(Gaps, DeclarationsOfBlocksThatNeverRun) {
     EXPECT_NE(proof.find("PROVED  off"), std::string::npos) << proof;
     EXPECT_NE(proof.find("NONE"), std::string::npos) << proof;
   }
-  for (const std::string call : {"CALL FC 5;", "UC FC [MW 10];"}) {
+  for (const std::string call : {"CALL FC 5;", "A I 0.0;CC FC [MW 10];"}) {
     const std::string proof = proofOf(wrong, call);
     EXPECT_NE(proof.find("PROVED  off"), std::string::npos) << call << proof;
   }
