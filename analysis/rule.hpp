@@ -116,6 +116,7 @@ struct Rule {
   std::string_view peers = {};           ///< rules of other tools, "SA0005; ironplc P4025"; empty: none has it
   Dialects dialects = dialect::Every;
   FixClass fix = FixClass::None;
+  bool ofLists = false;  ///< judges how a statement list is written: has no subject in a body in SCL
   bool surplus = false;  ///< speaks of what could be taken away without a change; editors show it faded
   RuleStatus status = RuleStatus::Stable;
   bool enabledByDefault = true;

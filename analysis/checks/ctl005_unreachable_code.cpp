@@ -37,7 +37,10 @@ void checkCtl005(const Facts& facts, FindingSink& sink) {
     const auto report = [&] {
       if (first == nullptr) return;
       const std::string more = count == 1 ? std::string() : fmt::format(" and {} instructions after it", count - 1);
-      Finding& finding = sink.report(first->span, fmt::format("no path reaches {}{}", Facts::text(*first), more));
+      const bool isText = facts.networkOf(first->id).isStructured;  // one statement of SCL is several instructions
+      Finding& finding =
+          sink.report(first->span, isText ? std::string("no path reaches this statement")
+                                          : fmt::format("no path reaches {}{}", Facts::text(*first), more));
       finding.confirmation = Confirmation::NotNeeded;
       finding.help = "remove the code, or the constant condition of the jump or return before it";
       first = nullptr;

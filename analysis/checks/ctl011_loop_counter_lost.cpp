@@ -93,6 +93,7 @@ extern constexpr Rule ctl011_loop_counter_lost = {
         "END_ORGANIZATION_BLOCK\n",
     .exampleCpu = "319-3",
     .dialects = dialect::S7300,
+    .ofLists = true,
     .check = checkCtl011,
 };
 

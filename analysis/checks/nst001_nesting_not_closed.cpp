@@ -73,6 +73,7 @@ extern constexpr Rule nst001_nesting_not_closed = {
     .good = "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nA(;\nO I 0.0;\nO I 0.1;\n);\n= Q 0.0;\nEND_ORGANIZATION_BLOCK\n",
     .exampleCpu = "319-3",
     .dialects = dialect::S7300,
+    .ofLists = true,
     .check = checkNst001,
 };
 

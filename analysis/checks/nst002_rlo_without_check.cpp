@@ -56,6 +56,7 @@ extern constexpr Rule nst002_rlo_without_check = {
     .exampleCpu = "319-3",
     .falsePositives = "blocks that hand a result on in the RLO by agreement; use BR or an output for it",
     .dialects = dialect::S7300,
+    .ofLists = true,
     .check = checkNst002,
 };
 

@@ -52,6 +52,7 @@ extern constexpr Rule nst003_string_open_at_label = {
         "END_ORGANIZATION_BLOCK\n",
     .exampleCpu = "319-3",
     .dialects = dialect::S7300,
+    .ofLists = true,
     .check = checkNst003,
 };
 

@@ -114,6 +114,7 @@ extern constexpr Rule nst004_edge_memory_shared = {
         "R Q 0.0;\nEND_ORGANIZATION_BLOCK\n",
     .exampleCpu = "319-3",
     .dialects = dialect::S7300,
+    .ofLists = true,
     .check = checkNst004,
 };
 

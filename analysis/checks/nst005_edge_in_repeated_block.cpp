@@ -93,6 +93,7 @@ extern constexpr Rule nst005_edge_in_repeated_block = {
     .exampleCpu = "319-3",
     .falsePositives = "calls of which the conditions exclude each other without a jump between them",
     .dialects = dialect::S7300,
+    .ofLists = true,
     .check = checkNst005,
 };
 

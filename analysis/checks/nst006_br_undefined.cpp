@@ -97,6 +97,7 @@ extern constexpr Rule nst006_br_undefined = {
         "OB 1\nBEGIN\nNETWORK\nA I 1.0;\nJNB _001;\nCALL FC 1;\n_001: A BR;\n= Q 1.0;\nEND_ORGANIZATION_BLOCK\n",
     .exampleCpu = "319-3",
     .dialects = dialect::S7300,
+    .ofLists = true,
     .check = checkNst006,
 };
 

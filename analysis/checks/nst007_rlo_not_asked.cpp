@@ -89,6 +89,7 @@ extern constexpr Rule nst007_rlo_not_asked = {
     .exampleCpu = "319-3",
     .falsePositives = "blocks that take the RLO of their caller by agreement",
     .dialects = dialect::S7300,
+    .ofLists = true,
     .check = checkNst007,
 };
 

@@ -98,6 +98,7 @@ extern constexpr Rule obl001_start_information_covered = {
         "L 1;\nT #Step;\nEND_ORGANIZATION_BLOCK\n",
     .exampleCpu = "319-3",
     .dialects = dialect::S7300,
+    .ofLists = true,
     .check = checkObl001,
 };
 

@@ -71,6 +71,7 @@ extern constexpr Rule stk001_stack_too_deep = {
     .falsePositives = "none known; at which depth the compiler itself refuses is not stated in the manual",
     .peers = "Omron stack overflows",
     .dialects = dialect::S7200,
+    .ofLists = true,
     .check = checkStk001,
     .ask = {.in = asked::Builtin,
             .turn = 20,

@@ -49,6 +49,7 @@ extern constexpr Rule stk002_value_from_below = {
     .good = "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= Q0.1\n",
     .falsePositives = "a rung that was cut into two networks on purpose",
     .dialects = dialect::S7200,
+    .ofLists = true,
     .check = checkStk002,
 };
 

@@ -58,6 +58,7 @@ extern constexpr Rule stk003_branches_unbalanced = {
     .bad = "Network 1\nLD I0.0\nLPS\nA I0.1\n= Q0.0\nLRD\nA I0.2\n= Q0.1\n",
     .good = "Network 1\nLD I0.0\nLPS\nA I0.1\n= Q0.0\nLPP\nA I0.2\n= Q0.1\n",
     .dialects = dialect::S7200,
+    .ofLists = true,
     .check = checkStk003,
 };
 

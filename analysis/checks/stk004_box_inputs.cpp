@@ -62,6 +62,7 @@ extern constexpr Rule stk004_box_inputs = {
     .bad = "Network 1\nLD I0.0\nCTU C1, +10\n",
     .good = "Network 1\nLD I0.0\nLD I0.1\nCTU C1, +10\n",
     .dialects = dialect::S7200,
+    .ofLists = true,
     .refuses = true,
     .check = checkStk004,
 };

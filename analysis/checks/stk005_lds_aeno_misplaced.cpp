@@ -38,6 +38,7 @@ extern constexpr Rule stk005_lds_aeno_misplaced = {
     .bad = "Network 1\nLD I0.0\nAENO\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nMOVB VB0, VB1\nAENO\n= Q0.0\n",
     .dialects = dialect::S7200,
+    .ofLists = true,
     .check = checkStk005,
 };
 

@@ -66,6 +66,7 @@ extern constexpr Rule stk006_no_drawing = {
         "programs that are kept as STL on purpose: they get one note a block where a third of the networks, and at "
         "least three, hold several rungs",
     .dialects = dialect::S7200,
+    .ofLists = true,
     .check = checkStk006,
 };
 

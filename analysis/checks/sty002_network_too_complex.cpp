@@ -60,6 +60,7 @@ extern constexpr Rule sty002_network_too_complex = {
     .good = "Network 1\nLD I0.0\nA I0.1\nLD I0.2\nA I0.3\nOLD\n= Q0.0\n",
     .peers = "L3; L6; CP9; SA0178; SA0150",
     .dialects = dialect::S7200,
+    .ofLists = true,
     .enabledByDefault = false,
     .standsAlone = true,
     .options = options,

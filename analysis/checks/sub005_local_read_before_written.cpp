@@ -57,6 +57,7 @@ extern constexpr Rule sub005_local_read_before_written = {
     .bad = "Network 1\nLD I0.0\nINCW LW0\nMOVW LW0, VW0\n",
     .good = "Network 1\nLD SM0.0\nMOVW VW0, LW0\nINCW LW0\nMOVW LW0, VW0\n",
     .peers = "CP3",
+    .ofLists = true,
     .check = checkSub005,
 };
 

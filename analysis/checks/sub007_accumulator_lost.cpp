@@ -116,6 +116,7 @@ extern constexpr Rule sub007_accumulator_lost = {
         "VW12\nEND_SUBROUTINE_BLOCK\n",
     .falsePositives = "a routine that returns its result in the accumulator",
     .dialects = dialect::S7200,
+    .ofLists = true,
     .check = checkSub007,
 };
 

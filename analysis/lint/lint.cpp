@@ -29,29 +29,24 @@ void letSpeak(const Facts& facts, const RuleSelection& selection, std::span<cons
   }
 }
 
-/// Of a body in SCL: rules about the way in which a statement list is written have no subject, what they say of
-/// instructions is said of statements, and no fix of an instruction fits the text.
+/// Of a body in SCL: rules about the way in which a statement list is written have no subject, and no fix of an
+/// instruction fits the text.
 void speakOfStructuredText(const Program& program, std::vector<Finding>& findings) {
   std::vector<const Pou*> blocks;
   for (const Pou& pou : program.pous) {
     if (std::ranges::any_of(pou.networks, &Network::isStructured)) blocks.push_back(&pou);
   }
   if (blocks.empty()) return;
-  static constexpr std::string_view ofLists[] = {"NST", "STK", "SUB005", "SUB007", "OBL001", "CTL011", "STY002"};
-  const auto isOfLists = [](const Finding& finding) {
-    return std::ranges::any_of(ofLists, [&](std::string_view rule) { return finding.rule.view().starts_with(rule); });
-  };
   std::erase_if(findings, [&](Finding& finding) {
     const auto block = std::ranges::find_if(blocks, [&](const Pou* pou) { return finding.span.beginsIn(pou->span); });
     if (block == blocks.end()) return false;
     const auto network =
         std::ranges::find_if((*block)->networks, [&](const Network& each) { return finding.span.beginsIn(each.span); });
-    const bool isInText = network != (*block)->networks.end() && network->isStructured;
-    const bool isOfStart = finding.rule.view() == "OBL001";  // speaks of a declaration
-    if ((isInText || isOfStart) && isOfLists(finding)) return true;
-    if (!isInText) return false;
-    finding.fix = {};
-    if (finding.rule.view() == "CTL005") finding.message = "no path reaches this statement";
+    const bool isOfDeclaration = network == (*block)->networks.end();
+    if (!isOfDeclaration && !network->isStructured) return false;
+    const Rule* rule = ruleNamed(finding.rule.view());
+    if (rule != nullptr && rule->ofLists) return true;
+    if (!isOfDeclaration) finding.fix = {};
     return false;
   });
 }
