@@ -23,7 +23,7 @@ struct ElementRow {
   std::string_view name, start;
   bool isCounter = false;
 };
-constexpr std::array<ElementRow, 8> elementRows = {{{"S_PULSE", "SP"},
+constexpr std::array<ElementRow, 8> sclElements = {{{"S_PULSE", "SP"},
                                                     {"S_PEXT", "SE"},
                                                     {"S_ODT", "SD"},
                                                     {"S_ODTS", "SS"},
@@ -56,7 +56,7 @@ SclValue SclLowering::call(const iec::Expr& expr, bool isStatement) {
         catalogue_.keyOf(BlockName{std::nullopt, 0, expr.parts[0].name, expr.span}).has_value() &&
         catalogue_.entry(*catalogue_.keyOf(BlockName{std::nullopt, 0, expr.parts[0].name, expr.span})) != nullptr;
     if (!isOwn) {
-      if (std::ranges::find(elementRows, name, &ElementRow::name) != elementRows.end())
+      if (std::ranges::find(sclElements, name, &ElementRow::name) != sclElements.end())
         return element(expr, name, isStatement);
       if (const SclValue made = standardFunction(expr, name); made.kind != Kind::Unknown) return made;
     }
@@ -269,7 +269,7 @@ std::optional<SclValue> SclLowering::blockCall(const iec::Expr& expr, bool isSta
 
 /// S_ODT(T_NO := T1, S := .., TV := .., R := .., BI := .., Q := ..) and the others, as the boxes of these names.
 SclValue SclLowering::element(const iec::Expr& expr, const std::string& name, bool isStatement) {
-  const ElementRow& row = *std::ranges::find(elementRows, name, &ElementRow::name);
+  const ElementRow& row = *std::ranges::find(sclElements, name, &ElementRow::name);
   const iec::Argument* number = argument(expr, row.isCounter ? "C_NO" : "T_NO");
   if (number == nullptr || number->value == nullptr || number->value->kind != iec::ExprKind::Path)
     refuse(expr.span, fmt::format("{} needs {}", name, row.isCounter ? "C_NO" : "T_NO"), Syntax::CallList);

@@ -55,7 +55,6 @@ std::optional<TypeKind> typeInFront(std::string_view prefix) {
 }
 
 bool isSclNumber(TypeKind kind) { return kind == TypeKind::Int || kind == TypeKind::DInt || kind == TypeKind::Real; }
-bool isSclBits(TypeKind kind) { return kind == TypeKind::Byte || kind == TypeKind::Word || kind == TypeKind::DWord; }
 
 /// 5, 1_000, 1.5, 2e3.
 std::optional<Constant> sclNumeral(std::string_view written) {

@@ -42,13 +42,11 @@ constexpr auto knownElsewhere =
 
 bool isOfOneSize(TypeKind kind, int bits) { return sclBits(kind) == bits; }
 
-bool isBitsOf(TypeKind kind) { return kind == TypeKind::Byte || kind == TypeKind::Word || kind == TypeKind::DWord; }
-
 /// Whether the conversion takes the bits as they are, with zeros in front or without the first ones; an INT into 32
 /// bits keeps its sign.
 bool keepsBits(TypeKind from, TypeKind to) {
   using enum TypeKind;
-  if (isBitsOf(from) && (isBitsOf(to) || to == Bool)) return true;
+  if (isSclBits(from) && (isSclBits(to) || to == Bool)) return true;
   constexpr std::pair<TypeKind, TypeKind> pairs[] = {
       {Int, Word},  {DInt, DWord},     {Byte, Int},  {Word, Int},  {Word, DInt}, {DWord, DInt},     {Byte, DInt},
       {DInt, Time}, {DInt, TimeOfDay}, {Time, DInt}, {DInt, Date}, {Date, DInt}, {TimeOfDay, DInt}, {Char, Byte},

@@ -16,6 +16,11 @@
 
 namespace rungproof::step7 {
 
+/// BYTE, WORD, DWORD.
+inline bool isSclBits(s7300::TypeKind kind) {
+  return kind == s7300::TypeKind::Byte || kind == s7300::TypeKind::Word || kind == s7300::TypeKind::DWord;
+}
+
 /// A value on its way: a place or a constant that needs no statement, or what stands in ACCU1, of BOOL the RLO.
 struct SclValue {
   s7300::TypeKind kind = s7300::TypeKind::Unknown;

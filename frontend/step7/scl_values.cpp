@@ -17,10 +17,6 @@ using s7300::TypeKind;
 
 namespace {
 
-bool isSclBitString(TypeKind kind) {
-  return kind == TypeKind::Byte || kind == TypeKind::Word || kind == TypeKind::DWord;
-}
-
 bool isSclInteger(TypeKind kind) { return kind == TypeKind::Int || kind == TypeKind::DInt; }
 
 /// Whether SCL widens the one into the other by itself.
@@ -209,7 +205,7 @@ std::optional<SclValue> SclLowering::literalAs(const SclValue& value, Kind kind)
     constant.value = std::bit_cast<std::uint32_t>(static_cast<float>(given.value));
     return made;
   }
-  if (isSclBitString(value.kind) && isSclBitString(kind) && widens(value.kind, kind)) {
+  if (isSclBits(value.kind) && isSclBits(kind) && widens(value.kind, kind)) {
     constant.kind = kind == Kind::Word ? ConstantKind::Word : ConstantKind::DWord;
     return made;
   }

@@ -85,7 +85,7 @@ TEST(IecLibrary, AClockBeginsWithWhatItIsSetToAndDoesNotGoBack) {
 // CODESYS calls these inputs otherwise.
 TEST(IecLibrary, InputsHaveASecondName) {
   const std::string text =
-      "//@ prove latch: l.Q1 = (a or not first_scan and prev(l.Q1)) and not b\n//@ prove zero: b implies c.CV = 0\n"
+      "//@ prove latch: l.Q1 = ((a or not first_scan and prev(l.Q1)) and not b)\n//@ prove zero: b implies c.CV = 0\n"
       "//@ prove load: b implies d.CV = 7\n"
       "PROGRAM p\nVAR a AT %IX0.0 : BOOL; b AT %IX0.1 : BOOL; l : RS; s : SR; c : CTU; d : CTD; e : CTUD_DINT; q : "
       "BOOL;\n"

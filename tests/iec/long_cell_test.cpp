@@ -17,9 +17,10 @@ constexpr const char* program =
 std::string lastRow(const std::string& set) {
   const test::TemporaryFolder folder;
   const std::string file = folder.file("main.st", program);
-  const test::ProgramRun run = test::run({"sim", file, "--set", set, "--scans", "1", "--trace", "-", "--isolated"});
+  const std::string trace = folder.path("t.csv");
+  const test::ProgramRun run = test::run({"sim", file, "--set", set, "--scans", "1", "--trace", trace, "--isolated"});
   EXPECT_EQ(run.exit, 0) << run.err;
-  std::string text = run.out;
+  std::string text = test::contentOf(trace);
   if (!text.empty()) text.pop_back();
   return text.substr(text.rfind('\n') + 1);
 }

@@ -21,7 +21,7 @@ constexpr const char* declared =
 constexpr MalformedCase malformedCases[] = {
     {"#a := ;", "10:7", "a value is needed here, not ';'"},
     {"#a = 5;", "10:4", "':=' is needed here, not '='"},
-    {"#a : = 5;", "10:7", "':=' is written without a blank"},
+    {"#a : = 5;", "10:4", "':=' is written without a blank"},
     {"#a := 5 #d := 6;", "10:9", "';' is needed here, not '#d'"},
     {"#a := (1 + 2;", "10:13", "')' is needed here, not ';'"},
     {"IF #f #a := 1; END_IF;", "10:7", "'THEN' is needed here, not '#a'"},
@@ -83,7 +83,7 @@ TEST(SclMalformed, MistakesAreSaidAtTheirPlaces) {
   for (const MalformedCase& one : malformedCases) {
     const Output output = commandOn("lint", mainOf(one.body, declared));
     EXPECT_TRUE(output.has(one.message)) << one.body << "\n" << output.text;
-    EXPECT_TRUE(output.has(std::string("main.scl:") + one.place + ":")) << one.body << "\n" << output.text;
+    EXPECT_TRUE(output.has(std::string("main.scl:") + one.place + " ")) << one.body << "\n" << output.text;
     EXPECT_NE(output.exit, 0) << one.body << "\n" << output.text;
   }
 }

@@ -87,8 +87,8 @@ TEST(SclProof, AnOverflowMayClearEno) {
       "FUNCTION FC 8 : INT\nVAR_INPUT\n x : INT;\nEND_VAR\nBEGIN\n FC8 := #x + 1;\nEND_FUNCTION\n"
       "FUNCTION FC 9 : INT\nVAR_INPUT\n x : INT;\nEND_VAR\nBEGIN\n FC9 := #x;\nEND_FUNCTION\n";
   const std::string program = function + mainOf(
-                                             "MW20 := FC8(x := WORD_TO_INT(IW0), ENO => M30.0);\n"
-                                             "MW22 := FC9(x := WORD_TO_INT(IW0), ENO => M30.1);");
+                                             "FC8(x := WORD_TO_INT(IW0), RET_VAL := MW20, ENO => M30.0);\n"
+                                             "FC9(x := WORD_TO_INT(IW0), RET_VAL := MW22, ENO => M30.1);");
   const Output proof = proofOf(
       "prove always: M30.0\nprove inside: IW0 < 32767 implies M30.0\nprove plain: M30.1\nreach kept: IW0 = 32767 and "
       "M30.0\n",

@@ -72,7 +72,7 @@ TEST(SclSource, EmptyBody) {
   const test::TemporaryFolder folder;
   folder.file("x.scl",
               "FUNCTION FC 3 : VOID\nVAR_TEMP\n  n : Int;\nEND_VAR\nBEGIN\n  // later\nEND_FUNCTION\n"
-              "ORGANIZATION_BLOCK OB 1\nBEGIN\n  FC3();\nEND_ORGANIZATION_BLOCK\n");
+              "ORGANIZATION_BLOCK OB 1\nBEGIN\n  Q0.0 := FALSE;\n  FC3();\nEND_ORGANIZATION_BLOCK\n");
   folder.file("p.prop", "prove nothing: not Q0.0\n");
   const Output proof = test7::run({"prove", folder.path("x.scl"), "--props", folder.path("p.prop")});
   EXPECT_EQ(proof.exit, 0) << proof.text;

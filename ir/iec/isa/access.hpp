@@ -151,6 +151,7 @@ struct AnyBytes {
   }
 };
 
-using AccessGroup = Group<LoadBit, Load, StoreBit, Store, Constant, Index, RangeFault, LoadElement, StoreElement, AnyBit, AnyBytes>;
+using AccessGroup =
+    Group<LoadBit, Load, StoreBit, Store, Constant, Index, RangeFault, LoadElement, StoreElement, AnyBit, AnyBytes>;
 
 }  // namespace rungproof::isa::iec
