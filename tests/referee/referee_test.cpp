@@ -32,7 +32,7 @@ TEST(Referee, NoRunBreaksAVerdict) {
   Settings settings;
   settings.prover = environmentOr("REFEREE_PROVER", RUNGPROOF_EXECUTABLE);
   settings.folder = folder.path("");
-  const int pairs = std::stoi(environmentOr("REFEREE_PAIRS", "700"));
+  const int pairs = std::stoi(environmentOr("REFEREE_PAIRS", "400"));
   const std::uint64_t first = std::stoull(environmentOr("REFEREE_SEED", "1"));
   const std::vector<Topic> topics = topicsOf(environmentOr("REFEREE_TOPICS", "0,1,2,3,4,5,6,7,8,9,10,11,12,13"));
   const bool inScan = environmentOr("REFEREE_IN_SCAN", "0") == "1";
