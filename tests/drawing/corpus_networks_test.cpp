@@ -47,6 +47,7 @@ std::vector<NetworkPlace> networks(bool ofStep7 = false) {
     if (file.starts_with("s7300/") != ofStep7) continue;
     for (const Pou& pou : program.pous) {
       for (const Network& network : pou.networks) {
+        if (network.isStructured) continue;  // a statement of SCL is shown as its text
         if (network.complete && !network.instructions.empty())
           result.push_back({fmt::format("{} {} {}", file, pou.name, network.number), &network});
       }

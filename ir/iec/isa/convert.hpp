@@ -1,6 +1,9 @@
 // Conversions between whole numbers of any width, and between whole numbers and REAL.
 #pragma once
 
+#include <bit>
+#include <cmath>
+
 #include "ir/iec/isa/iec_group.hpp"
 
 namespace rungproof::isa::iec {
@@ -58,10 +61,14 @@ struct FromReal {
     const auto isBelow = d.slt(number, low, 64), isAbove = d.slt(high, number, 64);
     const auto nearest = d.select(isBelow, low, d.select(isAbove, high, number, 64), 64);
     const auto result = d.extract(nearest, w - 1, 0);
+    const auto any = [&] { return a.m.external(External::UnknownResult, 0, w); };
+    if constexpr (std::same_as<typename D::Bool, bool>) {
+      const bool isNumber = !std::isnan(std::bit_cast<float>(static_cast<std::uint32_t>(value)));
+      return a.push(isNumber && !isBelow && !isAbove ? result : result ^ any());
+    }
     const auto fits = d.land(d.rlegal(value), d.lnot(d.lor(isBelow, isAbove)));
     if (const auto known = d.truth(fits); known && *known) return a.push(result);
-    const auto other = d.bxor(result, a.m.external(External::UnknownResult, 0, w), w);
-    a.push(d.select(fits, result, other, w));
+    a.push(d.select(fits, result, d.bxor(result, any(), w), w));
   }
 };
 

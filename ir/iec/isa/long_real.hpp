@@ -2,6 +2,9 @@
 // in proofs the result of a sum, product or function is any number, what is compared, moved or negated is exact.
 #pragma once
 
+#include <bit>
+#include <cmath>
+
 #include "ir/iec/isa/iec_group.hpp"
 #include "ir/long_real_order.hpp"
 
@@ -132,6 +135,12 @@ struct FromLongReal {
       const auto isBelow = d.slt(number, low, 64), isAbove = d.slt(high, number, 64);
       result = d.extract(d.select(isBelow, low, d.select(isAbove, high, number, 64), 64), w - 1, 0);
     }
+    const auto any = [&] { return a.m.external(External::UnknownResult, 0, w); };
+    if constexpr (std::same_as<typename D::Bool, bool>) {
+      const auto exact = std::bit_cast<double>(whole);
+      const double beyond = std::ldexp(1.0, isSigned ? w - 1 : w);
+      return a.push(exact >= (isSigned ? -beyond : 0) && exact < beyond ? result : result ^ any());
+    }
     // 2^63 or 2^64 is the first number that 64 bits do not hold; -2^63 is one that they do.
     LongRealOrder<D> order{d};
     auto fits = order.less(order.size(whole), a.literal(isLong ? 0x43F0000000000000U : 0x43E0000000000000U, 64));
@@ -140,8 +149,7 @@ struct FromLongReal {
     // Sign or zero extended, a result of fewer bits is the number again.
     if (w < 64) fits = d.land(fits, d.equal(isSigned ? d.sext(result, w, 64) : d.zext(result, w, 64), number, 64));
     if (const auto known = d.truth(fits); known && *known) return a.push(result);
-    const auto other = d.bxor(result, a.m.external(External::UnknownResult, 0, w), w);
-    a.push(d.select(fits, result, other, w));
+    a.push(d.select(fits, result, d.bxor(result, any(), w), w));
   }
 };
 
