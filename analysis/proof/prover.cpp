@@ -370,9 +370,11 @@ class Session {
       return known == goalOf_.end() ? goals().size() : known->second;
     };
     const std::size_t some = goalNamed(someRun().name), premise = goalNamed(row.property.name + " (premise)");
-    if (some < goals().size() && search_.quick(some).answer == Answer::Proved) {
+    const bool assumes = !std::ranges::all_of(set_.properties, [](const Property& p) { return p.isGoal(); });
+    // That no run reaches something is true of a program that ends no scan.
+    const bool saysNothing = assumes || row.outcome == Outcome::Proved;
+    if (saysNothing && some < goals().size() && search_.quick(some).answer == Answer::Proved) {
       row.outcome = Outcome::Vacuous;
-      const bool assumes = !std::ranges::all_of(set_.properties, [](const Property& p) { return p.isGoal(); });
       row.notes.push_back(assumes ? "the assumptions contradict each other: no run meets them"
                                   : "no run comes to the end of a scan: each stops or loops before");
       return;
