@@ -252,7 +252,7 @@ std::optional<SclValue> SclLowering::blockCall(const iec::Expr& expr, bool isSta
   if (!returned && !isStatement)
     refuse(expr.span, fmt::format("{} has no value", written(expr.parts[0].span)), Syntax::SclType);
   span_ = expr.span;
-  hasCalls_ = true;
+  ++effects_;
   network_->statements.push_back(std::move(made));
   for (const Given& output : outputs) giveOut(*output.argument, output.value);
   if (enable != nullptr) mark(skip);
@@ -269,6 +269,7 @@ std::optional<SclValue> SclLowering::blockCall(const iec::Expr& expr, bool isSta
 
 /// S_ODT(T_NO := T1, S := .., TV := .., R := .., BI := .., Q := ..) and the others, as the boxes of these names.
 SclValue SclLowering::element(const iec::Expr& expr, const std::string& name, bool isStatement) {
+  ++effects_;
   const ElementRow& row = *std::ranges::find(sclElements, name, &ElementRow::name);
   const iec::Argument* number = argument(expr, row.isCounter ? "C_NO" : "T_NO");
   if (number == nullptr || number->value == nullptr || number->value->kind != iec::ExprKind::Path)

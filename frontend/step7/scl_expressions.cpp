@@ -1,5 +1,5 @@
 // Expressions of SCL. What stands in an accumulator when the next operand is computed is put into temporary data
-// before; both sides of AND and OR are always computed.
+// before. Of AND and OR both sides are computed, which nobody can tell: a call on the second side is refused.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -238,7 +238,13 @@ SclValue SclLowering::logic(const iec::Expr& expr) {
   const SclValue left = heldBefore(value(first), second);
   if (left.kind != Kind::Bool && !(left.isLiteral && literalAs(left, Kind::Bool)))
     return words(expr.text, expr, left, second);
+  const int before = effects_;
   const SclValue right = value(second);
+  if (effects_ != before && expr.text != "XOR")
+    refuse(second.span,
+           fmt::format("whether {} computes its second side where the first decides is not stated: compute "
+                       "it before",
+                       expr.text));
   if (left.isLiteral && right.kind != Kind::Bool) return wordsOf(expr.text, expr, left, right);
   return joined(expr.text, as(left, Kind::Bool, first.span), as(right, Kind::Bool, second.span), expr.span);
 }

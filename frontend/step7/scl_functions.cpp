@@ -311,11 +311,7 @@ SclValue SclLowering::extreme(const iec::Expr& expr, bool isMost) {
 
 /// MIN(MAX(IN, MN), MX).
 SclValue SclLowering::limit(const iec::Expr& expr) {
-  const auto held = [&](std::string_view name, std::size_t position) {
-    const SclValue one = value(input(expr, name, position));
-    return one.isPlain && one.operand.form == OperandForm::Constant ? one : inTemporary(one);
-  };
-  const SclValue least = held("MN", 0), in = held("IN", 1), most = held("MX", 2);
+  const SclValue least = alternative(expr, "MN", 0), in = alternative(expr, "IN", 1), most = alternative(expr, "MX", 2);
   const Kind kind = kindOfAll({least, in, most}, expr.span);
   if (kind != Kind::Int && kind != Kind::DInt && kind != Kind::Real && kind != Kind::Time)
     refuse(expr.span, "MIN, MAX and LIMIT take INT, DINT, REAL and TIME", Syntax::SclType);
@@ -324,86 +320,82 @@ SclValue SclLowering::limit(const iec::Expr& expr) {
   emit("T", best);
   improve(best, least, kind, true, least.span);
   improve(best, most, kind, false, most.span);
+  const std::string isOrdered = freshLabel();  // else: not stated
+  loadBoth(least, most, kind);
+  emit(std::string(">") + (kind == Kind::Int ? "I" : kind == Kind::Real ? "R" : "D"));
+  emitJump("JCN", isOrdered);
+  leaveOpen(best, kind);
+  mark(isOrdered);
   SclValue made = inRegister(kind, expr.span);
   made.isPlain = true;
   made.operand = best;
   return made;
 }
 
+/// A value of a call that takes one of several: it is computed before any of them is taken.
+SclValue SclLowering::alternative(const iec::Expr& expr, std::string_view name, std::size_t position) {
+  const SclValue one = value(input(expr, name, position));
+  return one.isPlain && one.operand.form == OperandForm::Constant ? one : inTemporary(one);
+}
+
+/// What stands in temporary data and is written by take().
+SclValue SclLowering::toBeTaken(Kind kind, Span span) {
+  SclValue made = inRegister(kind, span);
+  made.isPlain = true;
+  made.operand = temporary(kind);
+  return made;
+}
+
+void SclLowering::take(SclValue from, const SclValue& into) {
+  from = as(from, into.kind, from.span);
+  if (into.kind == Kind::Bool)
+    scan(from);
+  else
+    load(from);
+  store(into.operand, into.kind);
+}
+
 SclValue SclLowering::select(const iec::Expr& expr) {
   SclValue chooser = valueAs(input(expr, "G", 0), Kind::Bool);
   if (!chooser.isPlain) chooser = inTemporary(chooser);
-  std::vector<SclValue> values;
-  for (const auto& [name, position] : {std::pair<std::string_view, std::size_t>{"IN0", 1}, {"IN1", 2}}) {
-    const SclValue one = value(input(expr, name, position));
-    values.push_back(one.isPlain && one.operand.form == OperandForm::Constant ? one : inTemporary(one));
-  }
-  const Kind kind = kindOfAll(values, expr.span);
-  const Operand result = temporary(kind);
-  SclValue made = inRegister(kind, expr.span);
-  made.isPlain = true;
-  made.operand = result;
+  const std::vector<SclValue> values = {alternative(expr, "IN0", 1), alternative(expr, "IN1", 2)};
+  const SclValue made = toBeTaken(kindOfAll(values, expr.span), expr.span);
   const std::string second = freshLabel(), done = freshLabel();
-  const auto put = [&](SclValue from) {
-    from = as(from, kind, from.span);
-    if (kind == Kind::Bool)
-      scan(from);
-    else
-      load(from);
-    store(result, kind);
-  };
   scan(chooser);
   emitJump("JC", second);
-  put(values[0]);
+  take(values[0], made);
   emitJump("JU", done);
   mark(second);
-  put(values[1]);
+  take(values[1], made);
   mark(done);
   return made;
 }
 
-/// K beyond the values: not stated, so that a hazard says it and the last value is taken.
+/// K beyond the values: what comes out is not stated. A hazard says it.
 SclValue SclLowering::multiplex(const iec::Expr& expr) {
   if (expr.arguments.size() < 3) refuse(expr.span, "MUX takes a number and two values or more", Syntax::CallList);
   SclValue chooser = valueAs(input(expr, "K", 0), Kind::Int);
   if (!chooser.isPlain) chooser = inTemporary(chooser);
   std::vector<SclValue> values;
-  for (std::size_t i = 0; i + 1 < expr.arguments.size(); ++i) {
-    const SclValue one = value(input(expr, fmt::format("IN{}", i), i + 1));
-    values.push_back(one.isPlain && one.operand.form == OperandForm::Constant ? one : inTemporary(one));
-  }
-  const Kind kind = kindOfAll(values, expr.span);
-  const Operand result = temporary(kind);
-  SclValue made = inRegister(kind, expr.span);
-  made.isPlain = true;
-  made.operand = result;
+  for (std::size_t i = 0; i + 1 < expr.arguments.size(); ++i)
+    values.push_back(alternative(expr, fmt::format("IN{}", i), i + 1));
+  const SclValue made = toBeTaken(kindOfAll(values, expr.span), expr.span);
   const std::string done = freshLabel();
-  const auto put = [&](SclValue from) {
-    from = as(from, kind, from.span);
-    if (kind == Kind::Bool)
-      scan(from);
-    else
-      load(from);
-    store(result, kind);
-  };
   checkRange(as(chooser, Kind::DInt, chooser.span), 0, static_cast<std::int64_t>(values.size()) - 1, expr.span);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const bool isLast = i + 1 == values.size();
     const std::string next = freshLabel();
-    if (!isLast) {
-      Constant constant;
-      constant.value = static_cast<std::int64_t>(i);
-      load(chooser);
-      emit("L", sclConstant(constant, expr.span));
-      emit("==I");
-      emitJump("JCN", next);
-    }
-    put(values[i]);
-    if (!isLast) {
-      emitJump("JU", done);
-      mark(next);
-    }
+    Constant constant;
+    constant.value = static_cast<std::int64_t>(i);
+    load(chooser);
+    emit("L", sclConstant(constant, expr.span));
+    emit("==I");
+    emitJump("JCN", next);
+    take(values[i], made);
+    emitJump("JU", done);
+    mark(next);
   }
+  take(values.back(), made);
+  leaveOpen(made.operand, made.kind);
   mark(done);
   return made;
 }

@@ -129,6 +129,9 @@ class SclLowering {
   SclValue rotate(SclValue in, SclValue count, bool isLeft, Span span);
   SclValue extreme(const iec::Expr& expr, bool isMost);
   SclValue limit(const iec::Expr& expr);
+  SclValue alternative(const iec::Expr& expr, std::string_view name, std::size_t position);
+  SclValue toBeTaken(Kind kind, Span span);
+  void take(SclValue from, const SclValue& into);
   SclValue select(const iec::Expr& expr);
   SclValue multiplex(const iec::Expr& expr);
   const iec::Expr& input(const iec::Expr& expr, std::string_view name, std::size_t position);
@@ -137,6 +140,7 @@ class SclLowering {
 
   // Emission
   void emit(std::string_view mnemonic, const Operand& operand = {});
+  void leaveOpen(const Operand& place, Kind kind);
   void emitJump(std::string_view mnemonic, const std::string& label);
   void mark(const std::string& label);
   std::string freshLabel();
@@ -158,8 +162,9 @@ class SclLowering {
   const SclBody* body_ = nullptr;
   NetworkSyntax* network_ = nullptr;
   std::vector<Loop> loops_;
-  bool mayOverflow_ = false, hasCalls_ = false;  ///< some statement of the body
-  std::optional<Operand> ok_;                    ///< the flag OK, where the body writes it
+  bool mayOverflow_ = false;   ///< some statement of the body
+  int effects_ = 0;            ///< calls, timers and counters so far: what computing an expression changes
+  std::optional<Operand> ok_;  ///< the flag OK, where the body writes it
   std::string endLabel_;
   bool isLeft_ = false;               ///< a RETURN jumps to the end
   bool isPart_ = false;               ///< one network among others

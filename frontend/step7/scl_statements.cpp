@@ -1,5 +1,5 @@
-// Statements of SCL. FOR computes its limit and its step once, asks before each pass, and leaves its variable one step
-// beyond the limit; a jump back is bounded as every jump back is.
+// Statements of SCL. FOR computes its limit and its step once and asks before each pass. A run leaves its variable one
+// step beyond the limit; proofs leave it open. A jump back is bounded as every jump back is.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -74,7 +74,7 @@ std::vector<NetworkSyntax> SclLowering::lower(const SclBody& body, const Network
         emit("A", *ok_);
         emit("SAVE");
       } else {
-        emit(std::string(bodyEnd), sclConstant(sclNumber(mayOverflow_ && hasCalls_ ? 1 : 0), span_));
+        emit(std::string(bodyEnd), sclConstant(sclNumber(mayOverflow_ && effects_ > 0 ? 1 : 0), span_));
       }
     }
   }
@@ -400,13 +400,13 @@ void SclLowering::forStatement(const iec::Statement& one) {
     if (step > 0 ? limit > most - step : limit < -most - 1 - step)
       refuse(one.last->span, "whether FOR ends at a limit that its variable cannot pass is not covered");
   }
-  const std::string again = freshLabel(), next = freshLabel(), end = freshLabel();
+  const std::string again = freshLabel(), next = freshLabel(), over = freshLabel(), end = freshLabel();
   const std::string suffix = kind == Kind::Int ? "I" : "D";
   mark(again);
   emit("L", counter.operand);
   emit("L", last.operand);
   emit((step > 0 ? "<=" : ">=") + suffix);
-  emitJump("JCN", end);
+  emitJump("JCN", over);
   loops_.push_back({next, end});
   statements(one.otherwise);
   loops_.pop_back();
@@ -417,6 +417,8 @@ void SclLowering::forStatement(const iec::Statement& one) {
   emit("+" + suffix);
   emit("T", counter.operand);
   emitJump("JU", again);
+  mark(over);
+  leaveOpen(counter.operand, kind);
   mark(end);
 }
 

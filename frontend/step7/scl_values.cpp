@@ -7,6 +7,7 @@
 
 #include "frontend/step7/scl_lowering.hpp"
 #include "frontend/stl/syntax_sink.hpp"
+#include "ir/s7300/index_check.hpp"
 #include "ir/s7300/isa.hpp"
 #include "ir/s7300/status_effect.hpp"
 
@@ -94,6 +95,13 @@ void SclLowering::emit(std::string_view mnemonic, const Operand& operand) {
   constexpr std::size_t os = 4;  // in the order of the status word
   const Desc* desc = s7300Instructions().named(mnemonic);
   mayOverflow_ = mayOverflow_ || (desc != nullptr && s7300::statusEffect(*desc)[os] == 'x');
+}
+
+/// What the place holds from here on no text tells: any value in proofs; a run keeps it.
+void SclLowering::leaveOpen(const Operand& place, Kind kind) {
+  emit(kind == Kind::Bool ? "A" : "L", place);
+  emit(openValue);
+  emit(kind == Kind::Bool ? "=" : "T", place);
 }
 
 void SclLowering::emitJump(std::string_view mnemonic, const std::string& label) {

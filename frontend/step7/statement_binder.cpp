@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 10> conditions = {"BR",  "OV", "OS", "UO"
                                                          "<>0", ">0", "<0", ">=0", "<=0"};
 
 const Desc* descOf(std::string_view mnemonic, MnemonicSet set) {
-  if (mnemonic == "OR" || mnemonic == "LABEL" || mnemonic == indexCheck || mnemonic == bodyEnd)
+  if (mnemonic == "OR" || mnemonic == "LABEL" || mnemonic == indexCheck || mnemonic == bodyEnd || mnemonic == openValue)
     return nullptr;  // names of the table that nobody writes
   return set == MnemonicSet::German ? s7300Instructions().namedGerman(mnemonic) : s7300Instructions().named(mnemonic);
 }
@@ -161,6 +161,10 @@ bool StatementBinder::statement(const Statement& statement) {
     append(required(indexCheck), statement,
            {constant(statement.operand.constant.value, ConstantForm::Typed),
             constant(statement.instance.constant.value, ConstantForm::Typed)});
+    return true;
+  }
+  if (mnemonic == openValue && isStructured_) {
+    append(required(openValue), statement, {});
     return true;
   }
   if (mnemonic == bodyEnd && isStructured_) {

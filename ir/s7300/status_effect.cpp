@@ -21,6 +21,7 @@ constexpr auto effectRows = std::to_array<EffectRow>({
     {"-----x1x1", ",),"},
     {"-----0x-0", ",=,S,R,"},
     {"------1x-", ",NOT,"},
+    {"-------x-", ",ANY,"},
     {"-----0110", ",SET,"},
     {"-----0000", ",CLR,"},
     {"x--------", ",SAVE,ENO,"},

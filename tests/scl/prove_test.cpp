@@ -99,5 +99,36 @@ TEST(SclProof, AnOverflowMayClearEno) {
   EXPECT_TRUE(proof.has("REACHABLE  kept")) << proof.text;
 }
 
+// What no text tells is any value in proofs: the variable behind FOR, MUX beyond its values, LIMIT with crossed limits.
+TEST(SclProof, WhatIsNotStatedIsAnyValue) {
+  const std::string program = mainOf(
+      "#n := 0;\nFOR #i := 1 TO 3 DO #n := #n + 1; END_FOR;\nMW20 := #n;\nMW22 := #i;\n"
+      "#k := WORD_TO_INT(IW2) ;\nMW24 := MUX(K := #k, IN0 := 7, IN1 := 8);\n"
+      "MW26 := LIMIT(MN := #k, IN := 5, MX := 10);\nMW28 := LIMIT(MN := 1, IN := #k, MX := 10);",
+      "VAR_TEMP\n i : INT; n : INT; k : INT;\nEND_VAR\n");
+  const Output proof = proofOf(
+      "prove rounds: MW20 = 3\nprove behind: MW22 = 4\nreach usual: MW22 = 4\nprove first: IW2 = 0 implies MW24 = 7\n"
+      "prove second: IW2 = 1 implies MW24 = 8\nprove beyond: IW2 = 2 implies MW24 = 8\n"
+      "prove limits: IW2 <= 5 implies MW26 = 5\nprove crossed: IW2 = 11 implies MW26 = 10\n"
+      "prove plain: MW28 >= 1 and MW28 <= 10\n",
+      program);
+  for (const char* name : {"rounds", "first", "second", "limits", "plain"})
+    EXPECT_TRUE(proof.has(std::string("PROVED  ") + name)) << proof.text;
+  for (const char* name : {"behind", "beyond", "crossed"})
+    EXPECT_TRUE(proof.has(std::string("VIOLATED  ") + name)) << proof.text;
+  EXPECT_TRUE(proof.has("REACHABLE  usual")) << proof.text;
+}
+
+// Whether it is made where the first side decides is not stated.
+TEST(SclProof, ACallOnTheSecondSideIsNotCovered) {
+  const std::string program =
+      "FUNCTION FC 8 : BOOL\nVAR_INPUT\n x : BOOL;\nEND_VAR\nBEGIN\n M40.0 := TRUE;\n FC8 := #x;\nEND_FUNCTION\n" +
+      mainOf("IF I0.0 AND FC8(x := I0.1) THEN Q4.0 := TRUE; END_IF;\nQ4.1 := FC8(x := I0.1) OR I0.0;");
+  const Output proof = proofOf("prove off: not Q4.0\n", program);
+  EXPECT_TRUE(proof.has("NOT COVERED  off")) << proof.text;
+  EXPECT_TRUE(proof.has("whether AND computes its second side where the first decides is not stated")) << proof.text;
+  EXPECT_FALSE(proof.has("whether OR computes")) << proof.text;
+}
+
 }  // namespace
 }  // namespace rungproof

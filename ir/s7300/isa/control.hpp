@@ -67,6 +67,21 @@ struct BodyEnd {
   }
 };
 
+/// ACCU1 and the RLO, of which no text tells what they are: any value in proofs; a run keeps them.
+struct OpenValue {
+  static constexpr Desc desc = [] {
+    Desc d = accuDesc(openValue, {}, "a value that no text tells", "SCL", "general knowledge");
+    d.drawingOnly = true;
+    return d;
+  }();
+  template <class D>
+  static void run(Step7Args<D>& a) {
+    constexpr std::uint32_t index = 0x30C;  // beside what instructions leave open
+    a.m.put(a.s.accu[0], a.d.bxor(a.s.accu[0], a.m.external(External::UnknownResult, index, 32), 32), 32);
+    a.m.put(a.s.rlo, a.d.lxor(a.s.rlo, a.m.externalBit(External::UnknownResult, index + 1)));
+  }
+};
+
 enum class JumpOn : std::uint8_t { Always, Ov, Zero, NotZero, Plus, Minus, PlusOrZero, MinusOrZero, Unordered };
 
 /// JU, JO, JZ, JN, JP, JM, JPZ, JMZ, JUO: no status bit changes.
@@ -220,8 +235,8 @@ struct ActivateRelay {
 };
 
 using Step7ControlGroup =
-    Group<Label, IndexCheck, BodyEnd, PlainJump<JumpOn::Always, "JU", "SPA", "jump", "002:2792">, Distributor,
-          RloJump<true, false, "JC", "SPB", "002:2794">, RloJump<false, false, "JCN", "SPBN", "002:2795">,
+    Group<Label, IndexCheck, BodyEnd, OpenValue, PlainJump<JumpOn::Always, "JU", "SPA", "jump", "002:2792">,
+          Distributor, RloJump<true, false, "JC", "SPB", "002:2794">, RloJump<false, false, "JCN", "SPBN", "002:2795">,
           RloJump<true, true, "JCB", "SPBB", "002:2796">, RloJump<false, true, "JNB", "SPBNB", "002:2797">,
           BrJump<true, "JBI", "SPBI", "002:2798">, BrJump<false, "JNBI", "SPBIN", "002:2799">,
           PlainJump<JumpOn::Ov, "JO", "SPO", "jump if OV = 1", "002:2800">, JumpOs,
