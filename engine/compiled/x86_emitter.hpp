@@ -67,6 +67,8 @@ class X86Emitter {
   static std::vector<SlotPlace> placesOfSlots(const Code& code);
   std::vector<SingleRun> singleRuns() const;
   void holdArea(Area area);
+  template <class Move>
+  void moveSingles(Move&& move);
   void loadSingles();
   void saveSingles(const std::vector<bool>& isWritten);
   void loadSlots();

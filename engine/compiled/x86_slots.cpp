@@ -59,71 +59,65 @@ constexpr std::size_t together = 16;
 constexpr std::uint64_t lowestBits = 0x0101010101010101;
 }  // namespace
 
-/// 0 or 255 for the lowest bit of each byte. The last sixteen of a run may overlap those before.
-void X86Emitter::loadSingles() {
+/// Calls move(first, isWide, byte, place) with the address of the area in rcx and the lowest bits of sixteen bytes in
+/// xmm3: for sixteen bits at once where a run has as many, else for each. The last sixteen may overlap those before.
+template <class Move>
+void X86Emitter::moveSingles(Move&& move) {
   a_.mov(x86::rax, lowestBits);
   a_.movq(x86::xmm3, x86::rax);
   a_.punpcklqdq(x86::xmm3, x86::xmm3);
   for (const SingleRun& run : singleRuns()) {
     holdArea(code_.slots[run.first].area);
-    for (std::size_t i = 0; i < run.count;) {
-      const bool isWide = run.count >= together;
+    const bool isWide = run.count >= together;
+    for (std::size_t i = 0; i < run.count; i += isWide ? together : 1) {
       const std::size_t first = run.first + (isWide ? std::min(i, run.count - together) : i);
-      const auto byte = static_cast<std::int32_t>(code_.slots[first].byte);
-      const auto place = static_cast<std::size_t>(slotAt(8 * first));
-      if (isWide) {
-        a_.movdqu(x86::xmm0, x86::xmmword_ptr(x86::rcx, byte));
-        a_.pand(x86::xmm0, x86::xmm3);
-        a_.pxor(x86::xmm1, x86::xmm1);
-        a_.psubb(x86::xmm1, x86::xmm0);
-        a_.movdqu(at(place, 16), x86::xmm1);
-      } else {
-        a_.movzx(x86::eax, x86::byte_ptr(x86::rcx, byte));
-        a_.and_(x86::eax, 1);
-        a_.neg(x86::eax);
-        a_.mov(at(place, 1), x86::al);
-      }
-      i += isWide ? together : 1;
+      move(first, isWide, static_cast<std::int32_t>(code_.slots[first].byte),
+           static_cast<std::size_t>(slotAt(8 * first)));
     }
   }
 }
 
+/// 0 or 255 for the lowest bit of each byte.
+void X86Emitter::loadSingles() {
+  moveSingles([&](std::size_t, bool isWide, std::int32_t byte, std::size_t place) {
+    if (isWide) {
+      a_.movdqu(x86::xmm0, x86::xmmword_ptr(x86::rcx, byte));
+      a_.pand(x86::xmm0, x86::xmm3);
+      a_.pxor(x86::xmm1, x86::xmm1);
+      a_.psubb(x86::xmm1, x86::xmm0);
+      a_.movdqu(at(place, 16), x86::xmm1);
+    } else {
+      a_.movzx(x86::eax, x86::byte_ptr(x86::rcx, byte));
+      a_.and_(x86::eax, 1);
+      a_.neg(x86::eax);
+      a_.mov(at(place, 1), x86::al);
+    }
+  });
+}
+
 /// The other bits of their bytes stay as they are.
 void X86Emitter::saveSingles(const std::vector<bool>& isWritten) {
-  a_.mov(x86::rax, lowestBits);
-  a_.movq(x86::xmm3, x86::rax);
-  a_.punpcklqdq(x86::xmm3, x86::xmm3);
-  for (const SingleRun& run : singleRuns()) {
-    holdArea(code_.slots[run.first].area);
-    for (std::size_t i = 0; i < run.count;) {
-      const bool isWide = run.count >= together;
-      const std::size_t step = isWide ? together : 1;
-      const std::size_t first = run.first + (isWide ? std::min(i, run.count - together) : i);
-      const auto begin = isWritten.begin() + static_cast<std::ptrdiff_t>(first);
-      i += step;
-      if (std::find(begin, begin + static_cast<std::ptrdiff_t>(step), true) ==
-          begin + static_cast<std::ptrdiff_t>(step))
-        continue;
-      const auto byte = static_cast<std::int32_t>(code_.slots[first].byte);
-      const auto place = static_cast<std::size_t>(slotAt(8 * first));
-      if (isWide) {
-        a_.movdqu(x86::xmm0, at(place, 16));
-        a_.pand(x86::xmm0, x86::xmm3);
-        a_.movdqu(x86::xmm1, x86::xmmword_ptr(x86::rcx, byte));
-        a_.movdqa(x86::xmm2, x86::xmm3);
-        a_.pandn(x86::xmm2, x86::xmm1);
-        a_.por(x86::xmm0, x86::xmm2);
-        a_.movdqu(x86::xmmword_ptr(x86::rcx, byte), x86::xmm0);
-      } else {
-        a_.movzx(x86::eax, at(place, 1));
-        a_.and_(x86::eax, 1);
-        a_.movzx(x86::edx, x86::byte_ptr(x86::rcx, byte));
-        a_.and_(x86::edx, 0xFE);
-        a_.or_(x86::eax, x86::edx);
-        a_.mov(x86::byte_ptr(x86::rcx, byte), x86::al);
-      }
+  moveSingles([&](std::size_t first, bool isWide, std::int32_t byte, std::size_t place) {
+    const auto begin = isWritten.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = begin + static_cast<std::ptrdiff_t>(isWide ? together : 1);
+    if (std::find(begin, end, true) == end) return;
+    if (isWide) {
+      a_.movdqu(x86::xmm0, at(place, 16));
+      a_.pand(x86::xmm0, x86::xmm3);
+      a_.movdqu(x86::xmm1, x86::xmmword_ptr(x86::rcx, byte));
+      a_.movdqa(x86::xmm2, x86::xmm3);
+      a_.pandn(x86::xmm2, x86::xmm1);
+      a_.por(x86::xmm0, x86::xmm2);
+      a_.movdqu(x86::xmmword_ptr(x86::rcx, byte), x86::xmm0);
+    } else {
+      a_.movzx(x86::eax, at(place, 1));
+      a_.and_(x86::eax, 1);
+      a_.movzx(x86::edx, x86::byte_ptr(x86::rcx, byte));
+      a_.and_(x86::edx, 0xFE);
+      a_.or_(x86::eax, x86::edx);
+      a_.mov(x86::byte_ptr(x86::rcx, byte), x86::al);
     }
-  }
+  });
 }
 
 void X86Emitter::loadSlots() {
