@@ -117,12 +117,6 @@ void askNothing(Asking& asking, const Rule& rule) {
   asking.ask({.name = std::string(rule.ask.whenNone), .bad = asking.graph().constant(false).node});
 }
 
-/// The first line of the statement of IEC 61131-3 that the instruction belongs to.
-std::string statementText(const Program& program, const Instruction& instruction) {
-  std::string_view text = program.sources->text(instruction.span);
-  return std::string(text.substr(0, text.find_first_of("\r\n")));
-}
-
 /// One question for each instruction and each kind of hazard it may meet, in the order of the encoding.
 void askHazards(Asking& asking, const std::vector<const Rule*>& rules) {
   const auto ruleOf = [&](Hazard hazard) -> const Rule* {
@@ -151,9 +145,7 @@ void askHazards(Asking& asking, const std::vector<const Rule*>& rules) {
   for (const auto& key : order) {
     asking.begin(*ruleOf(key.second));
     const HazardInfo& info = hazardInfo(key.second);
-    const std::string text = formOf(asking.program().target) == StatementForm::Expressions
-                                 ? statementText(asking.program(), *key.first)
-                                 : Facts::text(*key.first);
+    const std::string text = Facts::text(asking.program(), *key.first);
     // Named after what is good, because "PROVED" stands in front of it.
     asking.ask({.name = fmt::format("{}: never '{}'", text, info.text),
                 .message = fmt::format("{}: {}", text, info.text),

@@ -236,6 +236,19 @@ std::string Facts::bitName(std::uint32_t key) const {
   return name(direct(cells.areaOf(key / 8), Width::Bit, cells.offsetOf(key / 8), key % 8));
 }
 
+std::string Facts::text(const Program& program, const Instruction& instruction) {
+  const auto isInText = [&](const Pou& pou) {
+    return std::ranges::any_of(pou.networks, [&](const Network& network) {
+      return network.isStructured && instruction.span.beginsIn(network.span);
+    });
+  };
+  const bool isText =
+      formOf(program.target) == StatementForm::Expressions || std::ranges::any_of(program.pous, isInText);
+  if (!isText) return text(instruction);
+  const std::string_view written = program.sources->text(instruction.span);
+  return std::string(written.substr(0, written.find_first_of("\r\n")));
+}
+
 std::string Facts::text(const Instruction& instruction) {
   std::string text(writtenMnemonic(*instruction.desc, false));
   if (!instruction.operands.empty()) text = text.substr(0, text.find(' '));  // L T, S C: the operand says the rest

@@ -204,6 +204,9 @@ class Facts {
   std::string name(const Operand& operand) const;
   /// Mnemonic and operands: "TON T37, +10".
   static std::string text(const Instruction& instruction);
+  /// The same, but of a text whose statements are several instructions each (IEC 61131-3, SCL): the first line of the
+  /// part of the statement that the instruction was made of.
+  static std::string text(const Program& program, const Instruction& instruction);
 
  private:
   /// All the ids in ascending rows, in program order.

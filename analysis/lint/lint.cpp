@@ -1,6 +1,8 @@
 // Running rules over a program.
 #include "analysis/lint/lint.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "analysis/flow/step7_blocks.hpp"
@@ -29,8 +31,21 @@ void letSpeak(const Facts& facts, const RuleSelection& selection, std::span<cons
   }
 }
 
-/// Of a body in SCL: rules about the way in which a statement list is written have no subject, and no fix of an
-/// instruction fits the text.
+/// A message that begins with an instruction of SCL begins with the text that it was made of.
+void nameAsWritten(const Program& program, const Network& network, Finding& finding) {
+  const std::string message(finding.message.view());
+  for (const Instruction& instruction : network.instructions) {
+    if (!finding.span.beginsIn(instruction.span)) continue;
+    for (const std::string& name : {Facts::text(instruction), std::string(instruction.desc->stl)}) {
+      if (name.empty() || !message.starts_with(name + " ")) continue;
+      finding.message = fmt::format("'{}'{}", Facts::text(program, instruction), message.substr(name.size()));
+      return;
+    }
+  }
+}
+
+/// Of a body in SCL: rules about the way in which a statement list is written have no subject, no fix of an instruction
+/// fits the text, and no mnemonic stands in it.
 void speakOfStructuredText(const Program& program, std::vector<Finding>& findings) {
   std::vector<const Pou*> blocks;
   for (const Pou& pou : program.pous) {
@@ -46,7 +61,9 @@ void speakOfStructuredText(const Program& program, std::vector<Finding>& finding
     if (!isOfDeclaration && !network->isStructured) return false;
     const Rule* rule = ruleNamed(finding.rule.view());
     if (rule != nullptr && rule->ofLists) return true;
-    if (!isOfDeclaration) finding.fix = {};
+    if (isOfDeclaration) return false;
+    finding.fix = {};
+    nameAsWritten(program, *network, finding);
     return false;
   });
 }

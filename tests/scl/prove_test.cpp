@@ -130,5 +130,15 @@ TEST(SclProof, ACallOnTheSecondSideIsNotCovered) {
   EXPECT_FALSE(proof.has("whether OR computes")) << proof.text;
 }
 
+// Built-in checks are named by the text, not by the instructions that it becomes.
+TEST(SclProof, BuiltinChecksSpeakOfTheText) {
+  const Output proof = testscl::commandOn("prove",
+                                          mainOf("#i := WORD_TO_INT(IW0);\n#x[#i] := 1;\nMW20 := #x[1];",
+                                                 "VAR_TEMP\n i : INT;\n x : ARRAY[1..4] OF INT;\nEND_VAR\n"),
+                                          {"--builtin"});
+  EXPECT_TRUE(proof.has("VIOLATED  #i: never 'index outside the bounds of its array'")) << proof.text;
+  EXPECT_FALSE(proof.has("INDEX")) << proof.text;
+}
+
 }  // namespace
 }  // namespace rungproof
