@@ -29,7 +29,7 @@ bool holds(const std::vector<std::string>& files, const std::string& path) {
 
 /// Programs that a property file beside them may speak of: press.awl of press.prop.
 std::vector<std::string> programBeside(const std::string& path) {
-  for (const char* ending : {".awl", ".stl", ".xml", ".AWL", ".STL"}) {
+  for (const char* ending : {".awl", ".stl", ".st", ".il", ".scl", ".xml", ".AWL", ".STL", ".ST", ".IL", ".SCL"}) {
     const std::string candidate = pathName(fs::path(path).replace_extension(ending));
     std::error_code error;
     if (fs::is_regular_file(candidate, error) || heldText(candidate) != nullptr) return {candidate};

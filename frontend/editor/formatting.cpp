@@ -207,7 +207,7 @@ void formatStructuredText(const FormatStyle& style, LineEdits& edits) {
 Json formattingEdits(const CheckedDocument& document, const FormatStyle& style, std::uint32_t first,
                      std::uint32_t last) {
   LineEdits edits(document, first, last);
-  if (document.source().text().empty()) return edits.take();
+  if (document.source().text().empty() || isSclText(document)) return edits.take();
   if (isStructuredText(document))
     formatStructuredText(style, edits);
   else

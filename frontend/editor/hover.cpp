@@ -8,6 +8,7 @@
 
 #include "frontend/editor/inlay_hints.hpp"
 #include "frontend/editor/picture.hpp"
+#include "frontend/editor/structured_text.hpp"
 #include "frontend/explain/address_page.hpp"
 #include "frontend/explain/instruction_page.hpp"
 #include "frontend/picture/network_view.hpp"
@@ -175,7 +176,7 @@ Json hoverAt(const CheckedDocument& document, ClientPlace place) {
     return hoverOfVariable(document, document.offset(place));
   const Cursor cursor = cursorAt(document, document.offset(place));
   std::string text;
-  if (cursor.isMnemonic) {
+  if (cursor.isMnemonic && !isSclText(document)) {
     text = instructionText(document, *cursor.instruction->desc);
   } else if (cursor.operand && cursor.routine()) {
     text = routineText(document, *cursor.routine(), *cursor.operand);

@@ -70,7 +70,7 @@ Json inlayHintsIn(const CheckedDocument& document, ClientPlace begin, ClientPlac
   if (formOf(document.program().target) == StatementForm::Expressions) return hints.take();
   for (const Pou& pou : document.program().pous) {
     for (const Network& network : pou.networks) {
-      if (network.drawing != nullptr) continue;
+      if (network.drawing != nullptr || network.isStructured) continue;
       for (const Instruction& instruction : network.instructions) {
         if (document.isHere(instruction.span)) hints.addInstruction(instruction);
       }

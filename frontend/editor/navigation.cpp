@@ -157,7 +157,7 @@ Json networkRow(const CheckedDocument& document, const Network& network) {
   Json row =
       outlineRow(document, titleOf(network), "", OutlineKind::Method, network.span, headingOf(document, network.span));
   for (const Instruction& instruction : network.instructions) {
-    if (isLabel(instruction))
+    if (isLabel(instruction) && !network.isStructured)
       row["children"].push_back(
           outlineRow(document, Facts::text(instruction), "", OutlineKind::Key, instruction.span, instruction.span));
   }

@@ -213,7 +213,7 @@ Json workspaceEdit(const CheckedDocument& document, const std::vector<Span>& pla
 }  // namespace
 
 Json renameRange(const CheckedDocument& document, ClientPlace place) {
-  if (document.source().text().empty()) return nullptr;
+  if (document.source().text().empty() || isSclText(document)) return nullptr;
   Span span;
   if (isStructuredText(document)) {
     if (placesOfVariable(document, document.offset(place)).index() == 1) return nullptr;
@@ -234,8 +234,14 @@ std::variant<Json, std::string> renameAt(const CheckedDocument& document, Client
     if (std::string fault = variableFault(document, document.offset(place), name); !fault.empty()) return fault;
     return workspaceEdit(document, std::get<std::vector<Span>>(places), name);
   }
+  if (isSclText(document)) return std::string("names in SCL are not changed here");
   const NameAtCursor named = namedAt(document, place);
   if (named.kind == NameKind::None) return std::string("nothing there has a name that can be changed");
+  const bool hasScl = std::ranges::any_of(document.program().pous, [](const Pou& pou) {
+    return std::ranges::any_of(pou.networks, &Network::isStructured);
+  });
+  if (hasScl && named.kind == NameKind::Symbol)
+    return std::string("a body in SCL may name it too; names in SCL are not changed here");
   if (std::string fault = nameFault(document, named, name); !fault.empty()) return fault;
   return workspaceEdit(document, Renaming(document, named).places(), name);
 }

@@ -116,7 +116,7 @@ Json semanticLegend() {
 
 Json semanticTokensOf(const CheckedDocument& document) {
   Words words(document);
-  if (isStructuredText(document))
+  if (isStructuredText(document) || isSclText(document))
     addStructuredText(document, words);
   else
     addStatements(document, words);

@@ -95,11 +95,18 @@ bool isStructuredText(const CheckedDocument& document) {
          !endsInAny(document.source().name(), {".xml"});
 }
 
+bool isSclText(const CheckedDocument& document) {
+  return std::ranges::any_of(document.program().pous, [&](const Pou& pou) {
+    return document.isHere(pou.span) && std::ranges::any_of(pou.networks, &Network::isStructured);
+  });
+}
+
 std::vector<iec::IecToken> tokensOf(const CheckedDocument& document) {
   Program unheard;
   SyntaxSink sink(unheard, document.file());
   std::vector<Directive> directives;
-  return iec::tokensOf({document.source().text(), document.file()}, sink, directives);
+  return iec::tokensOf({.text = document.source().text(), .file = document.file(), .isScl = isSclText(document)}, sink,
+                       directives);
 }
 
 }  // namespace rungproof

@@ -23,6 +23,8 @@ const TextWord* structuredTextWord(std::string_view text);
 
 /// Whether the document is a text of IEC 61131-3, and no drawing in an XML file.
 bool isStructuredText(const CheckedDocument& document);
+/// Whether bodies in SCL stand in the document. Its instructions are not what its words are.
+bool isSclText(const CheckedDocument& document);
 /// The tokens of such a document; what is wrong with it is not said again.
 std::vector<iec::IecToken> tokensOf(const CheckedDocument& document);
 

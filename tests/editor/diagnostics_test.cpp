@@ -221,6 +221,25 @@ TEST(Diagnostics, PropertyFilesAreReadBesideTheirProgram) {
             (std::vector<std::string>{"PRP002 1"}));
 }
 
+// Whatever language the program is written in.
+TEST(Diagnostics, PropertyFilesFindTextsOfEachLanguage) {
+  const std::pair<std::string, std::string> programs[] = {
+      {"p.st", "PROGRAM P\nVAR x AT %IX0.0 : BOOL; q AT %QX0.0 : BOOL; END_VAR\nq := x;\nEND_PROGRAM\n"},
+      {"p.scl", "ORGANIZATION_BLOCK OB 1\nBEGIN\n Q0.0 := I0.0;\nEND_ORGANIZATION_BLOCK\n"}};
+  for (const auto& [name, text] : programs) {
+    const TemporaryFolder folder;
+    folder.file(name, text);
+    EditorSession session;
+    const std::string uri = uriOfPath((folder.folder() / "p.prop").string());
+    const std::string property = name == "p.st" ? "prove follows: q implies x\n" : "prove follows: Q0.0 implies I0.0\n";
+    EXPECT_TRUE(session.diagnosticsOf(property, uri).empty()) << name;
+    session.notify("textDocument/didClose", {{"textDocument", Json{{"uri", uri}}}});
+    session.nextDiagnostics();
+    EXPECT_EQ(codesOf(session.diagnosticsOf("prove follows: Nobody\n", uri)), (std::vector<std::string>{"PRP002 1"}))
+        << name;
+  }
+}
+
 TEST(Diagnostics, OptionsOfTheCommandLineCountForAll) {
   EditorSession session({"--ignore", "ADR001"});
   EXPECT_TRUE(session.diagnosticsOf(wrongAddress).empty());

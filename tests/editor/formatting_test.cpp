@@ -118,7 +118,7 @@ TEST(Formatting, KeepsTheMeaningOfTheCorpusAndIsDoneOnce) {
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(RUNGPROOF_SOURCE_DIR "/corpus")) {
     const std::string extension = entry.path().extension().string();
-    if (extension != ".awl" && extension != ".st" && extension != ".il") continue;
+    if (extension != ".awl" && extension != ".st" && extension != ".il" && extension != ".scl") continue;
     const std::string text = decode(contentOf(entry.path()), TextEncoding::Auto).text;
     const std::string uri = "untitled:corpus" + extension;
     const std::string once = formatted(text, uri);

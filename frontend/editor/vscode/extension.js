@@ -16,9 +16,9 @@ async function start() {
     transport: TransportKind.stdio,
   };
   client = new LanguageClient('rungproof', 'rungproof', { run, debug: run }, {
-    documentSelector: ['s7-200-stl', 'iec-61131-3-st', 'rungproof-properties'].map((language) => ({ language })),
+    documentSelector: ['s7-200-stl', 'iec-61131-3-st', 's7-300-scl', 'rungproof-properties'].map((language) => ({ language })),
     synchronize: {
-      fileEvents: vscode.workspace.createFileSystemWatcher('**/{rungproof.toml,*.awl,*.stl,*.st,*.il,*.xml,*.prop,*.csv,*.sdf}'),
+      fileEvents: vscode.workspace.createFileSystemWatcher('**/{rungproof.toml,*.awl,*.stl,*.st,*.il,*.scl,*.xml,*.prop,*.csv,*.sdf}'),
     },
   });
   try {
