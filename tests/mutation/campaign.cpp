@@ -1,4 +1,4 @@
-// The campaign: every mutant of every instruction is tried against the manual's tests (test_manual, test_manual)
+// The campaign: mutants of every instruction are tried against the manual's tests (tests/manual)
 // and the naive interpreter (tests/reference). It fails when an instruction is reached by no test, has fewer than 3
 // mutants or none that is noticed, when fewer than 95 % of all mutants are noticed, those that mean the same included,
 // or when the survivors are not exactly those of survivors.tsv, each with its reason. "test_mutation +I" tries one
@@ -95,8 +95,10 @@ Campaign run(const std::vector<std::string>& tests, std::string_view only) {
       if (applies(site, change)) candidates.push_back({{site, static_cast<std::uint8_t>(change)}, &reachedBy});
     }
   }
-  const std::vector<Verdict> verdicts = tryMutants(candidates, tests);
+  const std::vector<Verdict> verdicts =
+      only.empty() ? tryChosenMutants(candidates, tests) : tryMutants(candidates, tests);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (verdicts[i] == Verdict::LeftOut) continue;
     const Mutant& mutant = candidates[i].mutant;
     const std::string mnemonic(s7200Instructions().all()[mutant.site.opcode].stl);
     const std::string changed(changesOf(mutant.site.op)[static_cast<std::size_t>(mutant.change - 1)]);
@@ -175,7 +177,7 @@ int compareWithKnown(const Campaign& campaign, int& same) {
     ++problems;
   }
   for (const KnownSurvivors& row : known) {
-    if (row.met == row.count) continue;
+    if (row.met == row.count || (row.met < row.count && !triesEveryMutant())) continue;
     fmt::print("survivors.tsv: {} instead of {}: {}\t{}\t{}\n", row.met, row.count, row.mnemonic, row.site, row.change);
     ++problems;
   }

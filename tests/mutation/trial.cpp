@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <thread>
 
@@ -115,6 +116,33 @@ std::vector<Verdict> tryMutants(const std::vector<Candidate>& candidates, const 
     verdicts[found->second] = verdictOf(status);
     running.erase(found);
   }
+  return verdicts;
+}
+
+bool triesEveryMutant() { return std::getenv("RUNGPROOF_EVERY_MUTANT") != nullptr; }
+
+std::vector<Verdict> tryChosenMutants(const std::vector<Candidate>& candidates, const std::vector<std::string>& names) {
+  if (triesEveryMutant()) return tryMutants(candidates, names);
+  std::vector<Verdict> verdicts(candidates.size(), Verdict::LeftOut);
+  std::set<std::uint16_t> noticedOpcodes;
+  const auto tryThose = [&](const std::vector<std::size_t>& chosen) {
+    std::vector<Candidate> tried;
+    for (const std::size_t i : chosen) tried.push_back(candidates[i]);
+    const std::vector<Verdict> answers = tryMutants(tried, names);
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+      verdicts[chosen[k]] = answers[k];
+      if (answers[k] == Verdict::Noticed) noticedOpcodes.insert(candidates[chosen[k]].mutant.site.opcode);
+    }
+  };
+  std::map<std::uint16_t, std::size_t> met;
+  std::vector<std::size_t> chosen, others;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const std::size_t number = met[candidates[i].mutant.site.opcode]++;
+    (number < 3 || number % 8 == 7 ? chosen : others).push_back(i);
+  }
+  tryThose(chosen);
+  std::erase_if(others, [&](std::size_t i) { return noticedOpcodes.contains(candidates[i].mutant.site.opcode); });
+  tryThose(others);
   return verdicts;
 }
 

@@ -16,8 +16,8 @@ std::vector<std::string> recordTests();
 
 /// What the tests say of a mutant. Noticed: one of them fails, aborts or does not end (2 s of processor time and 1/20 s
 /// for each test). Unchecked: some run ends otherwise than without the change, but no test looks there. Silent: no run
-/// ends otherwise.
-enum class Verdict { Noticed, Unchecked, Silent };
+/// ends otherwise. LeftOut: it was not tried.
+enum class Verdict { Noticed, Unchecked, Silent, LeftOut };
 
 struct Candidate {
   Mutant mutant;
@@ -25,5 +25,10 @@ struct Candidate {
 };
 /// As many at a time as the machine has processors; the verdicts in the order of the candidates.
 std::vector<Verdict> tryMutants(const std::vector<Candidate>& candidates, const std::vector<std::string>& names);
+
+/// Whether every mutant is tried (RUNGPROOF_EVERY_MUTANT=1). The ordinary suite tries of each instruction the first
+/// three and every eighth of the others, and the rest where none of these is noticed.
+bool triesEveryMutant();
+std::vector<Verdict> tryChosenMutants(const std::vector<Candidate>& candidates, const std::vector<std::string>& names);
 
 }  // namespace rungproof::mutation
