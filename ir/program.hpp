@@ -29,6 +29,13 @@ struct ProjectSyntax;  // the syntax tree, ir/iec/syntax.hpp
 /// How a value of an IEC 61131-3 program is meant.
 enum class ValueType : std::uint8_t { Signed, Unsigned, Real };
 
+/// What a variable of a subrange, an enumeration or a time of day can hold: the runs of values, in rising order.
+struct ValueLimits {
+  int width = 0;  ///< bits: 8, 16, 32, 64
+  bool isSigned = false;
+  std::vector<std::pair<std::int64_t, std::int64_t>> runs;  ///< first and last value
+};
+
 enum class PouKind : std::uint8_t { Main, Subroutine, Interrupt };
 enum class VarSection : std::uint8_t { Input, InOut, Output, Temp, Static };
 /// What a block of an S7-300/400 is; all blocks of an S7-200 are None.
@@ -158,6 +165,8 @@ struct Program {
   bool coldStart = false;                         ///< S7-300/400: runs begin with OB102 and nothing retained (002:1383)
   std::uint16_t cycleMonitoringMs = 150;          ///< S7-300/400: a scan that lasts longer is a time error (002:1296)
   std::map<std::uint32_t, ValueType> valueTypes;  ///< IEC 61131-3: of the variables, by their first byte in V
+  /// IEC 61131-3: of variables whose type has fewer values than patterns, by their first byte in V.
+  std::map<std::uint32_t, ValueLimits> valueLimits;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> retained;  ///< IEC 61131-3: first and last byte of RETAIN data
   std::optional<std::uint32_t> taskMs;                            ///< IEC 61131-3: interval of the task
   std::shared_ptr<const iec::ProjectSyntax> syntax;  ///< IEC 61131-3: what the program was made of; nullptr elsewhere

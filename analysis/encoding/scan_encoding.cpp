@@ -86,6 +86,7 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
 
 void ScanEncoding::run() {
   isRecording_ = false;
+  constrainStartsByType();
   store_.value(registerPlace(Reg::Running, 0));  // a cell, even if every scan ends the program without reading it
   devices_.begin(machine_);
   beginStatus(machine_);
@@ -256,6 +257,27 @@ void ScanEncoding::constrainStart(const Place& place, Node node) {
   if (legal == noNode) return;
   constraints_.push_back(legal);
   totalConstraints_.push_back(legal);
+}
+
+/// What is kept over the loss of power was a value of its type.
+void ScanEncoding::constrainStartsByType() {
+  if (!options_.initialRetentive) return;
+  for (const auto& [offset, limits] : program_.valueLimits) {
+    if (!isRetentive(*options_.retentive, Area::V, offset)) continue;
+    const int width = limits.width;
+    const Graph::Bits value = store_.load(Area::V, offset * 8, width);
+    const auto upTo = [&](Graph::Bits a, Graph::Bits b) {
+      return limits.isSigned ? graph.sle(a, b, width) : graph.ule(a, b, width);
+    };
+    const auto literal = [&](std::int64_t v) { return graph.literal(static_cast<std::uint64_t>(v), width); };
+    Graph::Bool legal = graph.constant(false);
+    for (const auto& [low, high] : limits.runs)
+      legal = graph.lor(legal, graph.land(upTo(literal(low), value), upTo(value, literal(high))));
+    const Graph::Bool isFirst{startOfCell(registerPlace(Reg::FirstScan, 0))};
+    const Node start = graph.lor(graph.lnot(isFirst), legal).node;
+    constraints_.push_back(start);
+    totalConstraints_.push_back(start);
+  }
 }
 
 Cell ScanEncoding::cellAt(const Place& place) {

@@ -208,7 +208,7 @@ std::optional<std::uint32_t> Lowering::located(const VariableSyntax& syntax, con
     addressNames_.emplace_back(key.substr(1), at->second);
     if (key[2] == 'X') addressNames_.emplace_back(key.substr(1, 1) + key.substr(3), at->second);
   }
-  if (address[1] == 'I') freeVariable(type, at->second, syntax.span);
+  if (address[1] == 'I') freeVariable(type, at->second, syntax.span, true);
   return at->second;
 }
 

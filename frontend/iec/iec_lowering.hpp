@@ -154,8 +154,10 @@ class Lowering {
   void makePrograms();
   const TaskSyntax* taskOf(const InstanceSyntax& instance) const;
   void checkTasks(const std::vector<const InstanceSyntax*>& instances);
-  void freeVariable(const Type& type, std::uint32_t offset, Span span);
+  void freeVariable(const Type& type, std::uint32_t offset, Span span, bool isLocated = false);
+  bool isFreed(std::uint32_t offset) const;
   void freeNamedVariables();
+  void assumeType(const Symbol& symbol, Span span);
   void freeUnwrittenGlobals();
   void freeAccessed();
   void makeMain();
@@ -354,6 +356,7 @@ class Lowering {
   struct Freed {
     std::uint32_t offset, bytes;
     Span span;
+    bool isLocated;  ///< at an address of inputs
   };
   std::vector<Freed> freed_;  ///< located inputs, inputs of programs, globals that nobody writes
   std::vector<std::uint8_t> initial_;

@@ -34,14 +34,14 @@ void Lowering::nameValue(const std::string& name, const Type& type, std::uint32_
   program_.valueTypes[offset] = type.kind == Kind::Real ? ValueType::Real
                                 : type.isSigned         ? ValueType::Signed
                                                         : ValueType::Unsigned;
+  if (const std::optional<ValueLimits> limits = limitsOf(type)) program_.valueLimits[offset] = *limits;
 }
 
 /// A text is known by its length; one that is free by its characters too, so that runs can show and repeat it.
 void Lowering::nameText(const std::string& name, const Type& type, std::uint32_t offset, const std::string& alias) {
   const Type& byte = *elementaryType("USINT");
   nameValue(name + ".length", byte, offset, alias + ".length");
-  const bool isFree =
-      std::ranges::any_of(freed_, [&](const Freed& f) { return f.offset <= offset && offset < f.offset + f.bytes; });
+  const bool isFree = isFreed(offset);
   for (std::uint32_t i = 1; isFree && i < type.bytes; ++i)
     nameValue(fmt::format("{}[{}]", name, i), byte, offset + i, fmt::format("{}[{}]", alias, i));
 }

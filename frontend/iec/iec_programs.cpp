@@ -8,9 +8,13 @@
 namespace rungproof::iec {
 
 /// Located inputs, inputs of programs: any value in any scan.
-void Lowering::freeVariable(const Type& type, std::uint32_t offset, Span span) {
+void Lowering::freeVariable(const Type& type, std::uint32_t offset, Span span, bool isLocated) {
   if (type.bytes == 0) return;
-  freed_.push_back({offset, type.bytes, span});
+  freed_.push_back({offset, type.bytes, span, isLocated});
+}
+
+bool Lowering::isFreed(std::uint32_t offset) const {
+  return std::ranges::any_of(freed_, [&](const Freed& f) { return f.offset <= offset && offset < f.offset + f.bytes; });
 }
 
 /// A directive for each value: reports name what is free.
@@ -22,7 +26,29 @@ void Lowering::freeNamedVariables() {
         std::ranges::find_if(freed_, [&](const Freed& f) { return f.offset <= offset && offset < f.offset + f.bytes; });
     if (range == freed_.end() || !seen.insert(offset).second) continue;
     program_.directives.push_back({"external " + symbol.name, range->span, -1, 0});
+    if (!range->isLocated) assumeType(symbol, range->span);
   }
+}
+
+/// What others write has a value of its type. Not so where an address stands behind it, which can give any pattern, and
+/// where the program itself writes, because it may write another value.
+void Lowering::assumeType(const Symbol& symbol, Span span) {
+  const auto limits = program_.valueLimits.find(symbol.address.offset);
+  if (limits == program_.valueLimits.end()) return;
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(limits->second.width / 8); ++i) {
+    const std::uint32_t at = symbol.address.offset + i;
+    if (at < isWritten_.size() && isWritten_[at] != 0) return;
+  }
+  std::string name = "type_of_" + symbol.name;
+  std::ranges::replace_if(
+      name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+  std::string text;
+  for (const auto& [low, high] : limits->second.runs) {
+    if (!text.empty()) text += " or ";
+    text += low == high ? fmt::format("{} = {}", symbol.name, low)
+                        : fmt::format("{0} >= {1} and {0} <= {2}", symbol.name, low, high);
+  }
+  program_.directives.push_back({fmt::format("assume {}: {}", name, text), span, -1, 0});
 }
 
 /// Variables that VAR_ACCESS gives to others for writing.
@@ -234,6 +260,7 @@ void Lowering::callProgram(std::size_t number) {
 
 /// By one reading the variables of subranges that hold 0 start with it; what nobody gives a first value to.
 void Lowering::startSubranges() {
+  std::erase_if(openStarts_, [&](const auto& start) { return isFreed(start.second); });
   if (openStarts_.empty()) return;
   const Type& boolean = *elementaryType("BOOL");
   const std::uint32_t hasBegun = allocate(1);

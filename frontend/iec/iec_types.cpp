@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <limits>
+#include <set>
 
 namespace rungproof::iec {
 
@@ -87,6 +88,27 @@ const Type* elementaryType(std::string_view folded) {
 bool isSubrange(const Type& type) {
   const Type* base = type.kind == Kind::Integer && !type.isLong() ? elementaryType(type.name) : nullptr;
   return base != nullptr && (type.low > base->low || type.high < base->high);
+}
+
+std::optional<ValueLimits> limitsOf(const Type& type) {
+  constexpr std::int64_t msOfDay = 86'400'000;
+  ValueLimits limits{type.width, type.isSigned, {}};
+  if (isSubrange(type)) {
+    limits.runs = {{type.low, type.high}};
+  } else if (type.kind == Kind::Date && type.name.ends_with("TOD")) {
+    limits.runs = {{0, (type.isLong() ? msOfDay * 1'000'000 : msOfDay) - 1}};
+  } else if (type.kind == Kind::Enum) {
+    std::set<std::int64_t> values;
+    for (const auto& [name, value] : type.items) values.insert(value);
+    for (const std::int64_t value : values) {
+      if (limits.runs.empty() || limits.runs.back().second + 1 != value)
+        limits.runs.emplace_back(value, value);
+      else
+        limits.runs.back().second = value;
+    }
+  }
+  if (limits.runs.empty()) return std::nullopt;
+  return limits;
 }
 
 TypeTable::TypeTable(const ProjectSyntax& project, SyntaxSink& sink) : sink_(sink) {

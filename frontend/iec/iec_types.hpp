@@ -73,6 +73,9 @@ const Type* elementaryType(std::string_view folded);
 /// Whether a type of whole numbers has limits of its own: INT (0..10).
 bool isSubrange(const Type& type);
 
+/// What a value of the type can be, where it has fewer values than patterns: a subrange, an enumeration, a time of day.
+std::optional<ValueLimits> limitsOf(const Type& type);
+
 /// What a literal means, or nothing with the reason.
 std::optional<Value> literalValue(const Expr& literal, std::string& reason);
 /// A constant of REAL or LREAL; type nullptr: it takes either.

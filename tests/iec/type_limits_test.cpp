@@ -1,0 +1,61 @@
+// Values that a type does not have: what comes from outside without an address and what is kept over the loss of power
+// is a value of its type. Where the program itself or an address gives the value, it can be any pattern.
+#include "tests/iec/iec_output.hpp"
+
+namespace rungproof {
+namespace {
+
+const std::string modes = "TYPE Mode : (Off, Hand, Auto); Gap : (Low := 1, High := 5); END_TYPE\n";
+
+std::string limitedProgram(const std::string& declarations, const std::string& statements,
+                           const std::string& properties) {
+  return modes + "PROGRAM main\n" + declarations + "\n" + properties + "\n" + statements + "\nEND_PROGRAM\n";
+}
+
+TEST(TypeLimits, InputsHaveAValueOfTheirType) {
+  // Off is 0 and Auto is 2; Gap has the values 1 and 5 alone; a day has 86,400,000 ms.
+  const IecOutput output = proofOfIec(limitedProgram(
+      "VAR_INPUT m : Mode; g : Gap; p : INT (-5..10); t : TOD; END_VAR VAR a, b, c : DINT; END_VAR",
+      "a := TO_DINT(m); b := TO_DINT(g); c := p;",
+      "//@ prove mode: a >= 0 and a <= 2\n//@ prove gap: b = 1 or b = 5\n//@ prove part: c >= -5 and c <= 10\n"
+      "//@ prove day: t >= 0 and t < 86400000\n//@ reach last: a = 2\n//@ reach low: c = -5"));
+  for (const char* const name : {"mode", "gap", "part", "day"})
+    EXPECT_TRUE(output.has(std::string("PROVED  ") + name)) << output.text;
+  EXPECT_TRUE(output.has("REACHABLE  last") && output.has("REACHABLE  low")) << output.text;
+  // The verdicts rest on it, so the report says it.
+  EXPECT_TRUE(output.has("assume type_of_m: m >= 0 and m <= 2")) << output.text;
+  EXPECT_TRUE(output.has("assume type_of_g: g = 1 or g = 5")) << output.text;
+}
+
+TEST(TypeLimits, AnAddressGivesAnyPattern) {
+  const IecOutput output =
+      proofOfIec(limitedProgram("VAR p AT %IW0 : INT (0..10); c : INT; END_VAR", "c := p;", "//@ prove part: c <= 10"));
+  EXPECT_TRUE(output.has("VIOLATED  part")) << output.text;
+}
+
+TEST(TypeLimits, WhatTheProgramWritesIsNotAssumed) {  // p is 11 at the end of each scan
+  const IecOutput output = proofOfIec(limitedProgram("VAR_INPUT p : INT (0..10); x : INT; END_VAR VAR c : INT; END_VAR",
+                                                     "p := x; c := p;", "//@ prove part: c <= 10"),
+                                      {"--choice", "iec-subrange=stored"});
+  EXPECT_TRUE(output.has("VIOLATED  part")) << output.text;
+}
+
+TEST(TypeLimits, KeptValuesAreOfTheirType) {
+  const IecOutput output = proofOfIec(limitedProgram(
+      "VAR_INPUT x : BOOL; END_VAR VAR RETAIN m : Mode; p : INT (3..10); n : INT; END_VAR VAR a : INT; END_VAR",
+      "CASE m OF Off: a := 1; Hand: a := 2; Auto: a := 3; ELSE a := 9; END_CASE;",
+      "//@ initial retentive\n//@ prove known: a <> 9\n//@ prove part: p >= 3\n//@ prove open: n >= 3\n"
+      "//@ reach hand: a = 2"));
+  EXPECT_TRUE(output.has("PROVED  known") && output.has("PROVED  part")) << output.text;
+  EXPECT_TRUE(output.has("VIOLATED  open") && output.has("REACHABLE  hand")) << output.text;
+}
+
+TEST(TypeLimits, LaterValuesMayLieOutside) {  // only the start is of the type: by the reading `stored` p grows on
+  const IecOutput output = proofOfIec(limitedProgram("VAR RETAIN p : INT (3..10); END_VAR", "p := p + 1;",
+                                                     "//@ initial retentive\n//@ prove part: p <= 10"),
+                                      {"--choice", "iec-subrange=stored"});
+  EXPECT_TRUE(output.has("VIOLATED  part")) << output.text;
+}
+
+}  // namespace
+}  // namespace rungproof
