@@ -19,6 +19,9 @@ namespace {
 
 constexpr std::uint64_t longestStructure = 65535;
 
+/// Types that stand in each other; STEP 7 takes 8 levels.
+constexpr std::size_t deepestTypes = 100;
+
 bool isAmongSections(Section section, std::initializer_list<Section> sections) {
   return std::ranges::find(sections, section) != sections.end();
 }
@@ -38,9 +41,14 @@ Type TypeTable::named(const TypeSyntax& syntax) {
   if (key->kind != BlockKind::Udt && key->kind != BlockKind::Fb && key->kind != BlockKind::Sfb)
     return unknown(fmt::format("{} is no type", toString(name)));
   if (inProgress_.contains(*key)) return unknown(fmt::format("{} contains itself", toString(name)));
+  if (inProgress_.size() >= deepestTypes && !made_.contains(*key))
+    return unknown(fmt::format("{} stands in {} types that contain each other, more than are read", toString(name),
+                               inProgress_.size()));
   const std::shared_ptr<const Structure> found = structure(*key);
   if (found == nullptr) return unknown(fmt::format("nothing defines the type {}", toString(name)));
-  doubt_.add(doubtOf(*key));
+  const Doubt doubt = doubtOf(*key);
+  doubt_.add(doubt);
+  if (doubt.type && found->size == 0) return type;  // nothing is left of it, however often it is doubled
   type.kind = TypeKind::Struct;
   type.structure = found;
   type.name = fmt::format("{} {}", blockKindName(key->kind), key->number);
