@@ -1,6 +1,9 @@
 // Projects: variables and their places, instances, routines, the entry block.
 #include "frontend/iec/iec_lowering.hpp"
 
+#include <set>
+#include <utility>
+
 #include "ir/iec/cpu.hpp"
 #include "ir/iec/dialect.hpp"
 #include "ir/iec/walk.hpp"
@@ -25,7 +28,12 @@ void Lowering::refuse(Span span, std::string message, Syntax code) {
 
 std::uint32_t Lowering::allocate(std::uint32_t bytes) {
   const std::uint32_t offset = next_;
-  if (bytes > mostBytes - next_) throw Refused{};
+  if (bytes > mostBytes - next_) {
+    if (!std::exchange(isFull_, true))
+      error(Syntax::IecNotModelled, Span{sink_.file(), 0, 0},
+            fmt::format("all variables together have more than {} bytes", mostBytes));
+    throw Refused{};
+  }
   next_ += bytes;
   initial_.resize(next_);
   return offset;
@@ -195,11 +203,37 @@ void Lowering::writeInitial(const Type& type, std::uint32_t offset, const Value&
     initial_[offset + i] = static_cast<std::uint8_t>(bits >> (8 * (type.bytes - 1 - i)));
 }
 
-BlockInstance* Lowering::makeInstance(const BlockSyntax& block, std::string path) {
-  if (++depth_ > 32) {
-    --depth_;
-    refuse(block.span, fmt::format("instances of {} contain each other", block.name));
+/// Whether an instance of the block has one of the same block in it.
+bool Lowering::containsItself(const BlockSyntax& block) const {
+  std::set<const BlockSyntax*> met;
+  std::vector<const BlockSyntax*> open = {&block};
+  while (!open.empty()) {
+    const BlockSyntax& one = *open.back();
+    open.pop_back();
+    for (const VariableSyntax& variable : one.variables) {
+      const TypeSyntax* type = variable.type.get();
+      while (type != nullptr && type->form == TypeForm::Array) type = type->element.get();
+      const auto found = type == nullptr ? blocks_.end() : blocks_.find(foldedName(type->name));
+      const bool isInstance = variable.section != Section::External && variable.section != Section::InOut;
+      if (found == blocks_.end() || !isInstance) continue;
+      if (found->second == &block) return true;
+      if (met.insert(found->second).second) open.push_back(found->second);
+    }
   }
+  return false;
+}
+
+BlockInstance* Lowering::makeInstance(const BlockSyntax& block, std::string path) {
+  constexpr int deepest = 32;
+  constexpr std::size_t most = 50'000;
+  if (depth_ >= deepest || instances_.size() >= most) {
+    if (std::exchange(isTooNested_, true)) throw Refused{};
+    if (containsItself(block)) refuse(block.span, fmt::format("instances of {} contain each other", block.name));
+    refuse(block.span, depth_ >= deepest
+                           ? fmt::format("instances of {} stand in more than {} others", block.name, deepest)
+                           : fmt::format("the program has more than {} instances of blocks", most));
+  }
+  ++depth_;
   BlockInstance& made = instances_.emplace_back();
   made.block = &block;
   made.path = std::move(path);

@@ -96,6 +96,7 @@ class Lowering {
 
   // iec_lowering.cpp
   void declareGlobals();
+  bool containsItself(const BlockSyntax& block) const;
   BlockInstance* makeInstance(const BlockSyntax& block, std::string path);
   BlockInstance* functionNamed(const std::string& name);
   Variable makeVariable(const VariableSyntax& syntax, const std::string& path);
@@ -364,6 +365,8 @@ class Lowering {
   int nextRoutine_ = 0;
   int nextLabel_ = 0;
   int depth_ = 0;
+  bool isFull_ = false;                ///< the variables have too many bytes, which was said
+  bool isTooNested_ = false;           ///< instances stand in each other too deeply or are too many, which was said
   const Expr* enabledCall_ = nullptr;  ///< a call whose EN was asked already
   bool asksEnabled_ = false;           ///< some path ends in .ENO
   Network* network_ = nullptr;
@@ -378,7 +381,6 @@ class Lowering {
   };
   std::vector<Shown> shown_;
   bool isDrawn_ = false;
-  static constexpr std::uint32_t mostBytes = 1U << 20;
 };
 
 /// What another maker calls an input of a block of the library, in capitals: RESET of a CTU is its R. The same name: he

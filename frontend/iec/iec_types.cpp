@@ -136,6 +136,12 @@ const Type* TypeTable::named(const std::string& name, Span span) {
       error(span, fmt::format("type {} contains itself", excerpt(name)));
       return nullptr;
     }
+    constexpr std::size_t deepest = 200;
+    if (open_.size() >= deepest) {
+      error(span, fmt::format("type {} stands in {} types that contain each other, more than are read", excerpt(name),
+                              deepest));
+      return resolved_[folded] = nullptr;
+    }
     open_.push_back(folded);
     const Type* made = make(*found->second->type, found->second->name);
     open_.pop_back();
@@ -155,6 +161,15 @@ const Type* TypeTable::named(const std::string& name, Span span) {
   }
   error(span, fmt::format("there is no type {}", excerpt(name)));
   return resolved_[folded] = nullptr;
+}
+
+const Type* TypeTable::addWhole(Type type, std::uint64_t bytes, Span span) {
+  if (bytes > mostBytes) {
+    error(span, fmt::format("the type has more than {} bytes", mostBytes));
+    return nullptr;
+  }
+  type.bytes = static_cast<std::uint32_t>(bytes);
+  return add(std::move(type));
 }
 
 const Type* TypeTable::resolve(const TypeSyntax& syntax) { return make(syntax, {}); }
@@ -193,21 +208,23 @@ const Type* TypeTable::make(const TypeSyntax& syntax, const std::string& name) {
         return nullptr;
       }
     }
-    type.bytes = static_cast<std::uint32_t>(count * type.element->bytes);
     type.name = "ARRAY OF " + type.element->name;
-    return add(std::move(type));
+    const std::uint64_t bytes = count * type.element->bytes;
+    return addWhole(std::move(type), bytes, syntax.span);
   }
   if (syntax.form == TypeForm::Struct) {
     Type type;
     type.kind = Kind::Struct;
     type.name = name.empty() ? "STRUCT" : name;
+    std::uint64_t bytes = 0;
     for (const VariableSyntax& field : syntax.fields) {
       const Type* of = resolve(*field.type);
       if (of == nullptr) return nullptr;
-      type.fields.push_back({field.name, of, type.bytes, &field});
-      type.bytes += of->bytes;
+      type.fields.push_back({field.name, of, static_cast<std::uint32_t>(bytes), &field});
+      bytes += std::max(of->bytes, 1U);  // what has no place here counts too, so that doubled types end
+      if (bytes > mostBytes) break;
     }
-    return add(std::move(type));
+    return addWhole(std::move(type), bytes, syntax.span);
   }
   const Type* base = named(syntax.name, syntax.span);
   if (base == nullptr || syntax.low == nullptr || base->kind == Kind::Unsupported) return base;

@@ -65,6 +65,9 @@ struct Value {
   bool isPattern = false;  ///< written as bits: 16#FFFF
 };
 
+/// Most bytes of all variables together, and so of one type.
+inline constexpr std::uint32_t mostBytes = 1U << 20;
+
 /// Types that begin so belong to variables that a panel writes.
 inline constexpr std::string_view panelPrefix = "HMI_";
 /// Elementary types, by name in capitals; nullptr for names that are none.
@@ -104,6 +107,8 @@ class TypeTable {
  private:
   const Type* add(Type type);
   const Type* make(const TypeSyntax& syntax, const std::string& name);
+  /// A type of parts, unless it has more bytes than all variables together may have.
+  const Type* addWhole(Type type, std::uint64_t bytes, Span span);
   void error(Span span, std::string message);
 
   SyntaxSink& sink_;

@@ -1,0 +1,69 @@
+// Types and instances that stand in each other: what is too deep, too large or too many is refused with a message, and
+// takes no longer than what is read.
+#include <fmt/format.h>
+
+#include "tests/iec/iec_run.hpp"
+
+namespace rungproof {
+namespace {
+
+/// Types one in the other, the last one an INT.
+std::string structuresOf(int levels, std::string_view fields) {
+  std::string text = "TYPE\n";
+  for (int i = 1; i < levels; ++i)
+    text += fmt::format("S{} : STRUCT {} END_STRUCT;\n", i, fmt::format(fmt::runtime(fields), i + 1));
+  return text + fmt::format("S{} : STRUCT a : INT; END_STRUCT;\nEND_TYPE\n", levels);
+}
+
+std::string blocksOf(int levels, std::string_view variables) {
+  std::string text;
+  for (int i = 1; i < levels; ++i)
+    text += fmt::format("FUNCTION_BLOCK F{} VAR {} END_VAR END_FUNCTION_BLOCK\n", i,
+                        fmt::format(fmt::runtime(variables), i + 1));
+  return text + fmt::format("FUNCTION_BLOCK F{} VAR a : INT; END_VAR a := 1; END_FUNCTION_BLOCK\n", levels);
+}
+
+const std::string withStructure = "PROGRAM m VAR x : S1; q : BOOL; END_VAR q := TRUE; END_PROGRAM\n";
+const std::string withInstance = "PROGRAM m VAR x : F1; q : BOOL; END_VAR x(); END_PROGRAM\n";
+
+bool isTold(const std::string& text, std::string_view part) {
+  const std::string findings = findingsIec(readIecText(text));
+  return findings.find(part) != std::string::npos;
+}
+
+TEST(IecNestedTypes, ALongChainIsRefused) {
+  EXPECT_TRUE(isTold(structuresOf(5000, "a : S{};") + withStructure, "stands in 200 types that contain each other"));
+  EXPECT_EQ(findingsIec(readIecText(structuresOf(100, "a : S{};") + withStructure)), "");
+}
+
+TEST(IecNestedTypes, DoublingTypesEndAtTheMemory) {  // 2 bytes doubled 59 times
+  EXPECT_TRUE(isTold(structuresOf(60, "a, b : S{};") + withStructure, "the type has more than 1048576 bytes"));
+}
+
+TEST(IecNestedTypes, ArraysOfArraysEndAtTheMemory) {  // 65536 * 65536 * 2 bytes are 0 modulo 2^32
+  EXPECT_TRUE(
+      isTold("PROGRAM m VAR x : ARRAY[0..65535] OF ARRAY[0..65535] OF INT; q : BOOL; END_VAR q := TRUE; "
+             "END_PROGRAM\n",
+             "the type has more than 1048576 bytes"));
+}
+
+TEST(IecNestedTypes, VariablesBeyondTheMemoryAreTold) {
+  EXPECT_TRUE(isTold("PROGRAM m VAR x, y, z : ARRAY[0..199999] OF INT; q : BOOL; END_VAR q := TRUE; END_PROGRAM\n",
+                     "all variables together have more than 1048576 bytes"));
+}
+
+TEST(IecNestedTypes, DoublingInstancesAreRefused) {
+  EXPECT_TRUE(isTold(blocksOf(20, "a, b : F{};") + withInstance, "the program has more than 50000 instances"));
+  EXPECT_TRUE(isTold(blocksOf(60, "a, b : F{};") + withInstance, "stand in more than 32 others"));
+}
+
+TEST(IecNestedTypes, ABlockInItselfIsNamed) {
+  EXPECT_TRUE(
+      isTold("FUNCTION_BLOCK A VAR b : B; END_VAR END_FUNCTION_BLOCK\n"
+             "FUNCTION_BLOCK B VAR a : ARRAY[0..1] OF A; END_VAR END_FUNCTION_BLOCK\n"
+             "PROGRAM m VAR x : A; END_VAR x(); END_PROGRAM\n",
+             "contain each other"));
+}
+
+}  // namespace
+}  // namespace rungproof
