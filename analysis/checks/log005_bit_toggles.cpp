@@ -54,7 +54,7 @@ Toggle rungOf(const Flow& flow, std::uint32_t at, const Operand& bit) {
 /// prover, which is not asked.
 void checkStrings(const Facts& facts, FindingSink& sink) {
   eachOwnBlock(facts, [&](std::uint32_t block, const Flow& flow) {
-    if (isStartUpOnly(facts, block)) return;
+    if (facts.calls().isStartUpOnly(block)) return;
     const LogicStates states = logicStates(flow);
     for (std::uint32_t at = 1; at < flow.steps.size(); ++at) {
       const Instruction& assign = *flow.steps[at].instruction;

@@ -57,7 +57,8 @@ bool givesValue(const Instruction& instruction) {
 }
 
 void reportWriter(const Facts& facts, FindingSink& sink, EdgeBit& edge, std::uint32_t writer) {
-  if (edge.isTold || !givesValue(facts.instruction(writer)) || isStartUpOnly(facts, facts.blockOf(writer))) return;
+  if (edge.isTold || !givesValue(facts.instruction(writer)) || facts.calls().isStartUpOnly(facts.blockOf(writer)))
+    return;
   edge.isTold = true;
   const Instruction& instruction = facts.instruction(edge.first);
   Finding& finding =

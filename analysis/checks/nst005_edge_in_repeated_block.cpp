@@ -18,7 +18,7 @@ std::optional<std::pair<const Instruction*, const Instruction*>> sameInstanceTwi
   std::multimap<std::string, const Instruction*> calls;
   for (const std::uint32_t site : facts.calls().callsOf(block)) {
     const CallSite& call = facts.calls().sites()[site];
-    if (call.instruction->operands.size() < 2 || isStartUpOnly(facts, call.caller) ||
+    if (call.instruction->operands.size() < 2 || facts.calls().isStartUpOnly(call.caller) ||
         !facts.calls().reachedFromMain(call.caller))
       continue;
     const std::string key = placeKey(facts, call.caller, call.instruction->operands[1]);

@@ -36,7 +36,7 @@ bool excludeEachOther(const Facts& facts, std::span<const std::uint32_t> coils) 
 void checkOut001(const Facts& facts, FindingSink& sink) {
   std::vector<bool> isIdle;  // by block
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block)
-    isIdle.push_back(facts.execution().runs(block) == Runs::Never || isStartUpOnly(facts, block));
+    isIdle.push_back(facts.execution().runs(block) == Runs::Never || facts.calls().isStartUpOnly(block));
   std::vector<std::uint32_t> coils;
   for (std::uint32_t key = 0; key < facts.bits().size(); ++key) {
     if (facts.bits().at(key).size() < 2) continue;

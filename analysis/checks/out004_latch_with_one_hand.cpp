@@ -33,7 +33,7 @@ std::vector<LatchHands> allHands(const Facts& facts) {
   std::vector<LatchHands> all(facts.bits().size());
   std::vector<bool> isStartUp;
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block)
-    isStartUp.push_back(isStartUpOnly(facts, block));
+    isStartUp.push_back(facts.calls().isStartUpOnly(block));
   std::uint32_t cell = ~0U;
   bool isOther = false;
   for (std::uint32_t key = 0; key < all.size(); ++key) {

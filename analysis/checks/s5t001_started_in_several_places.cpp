@@ -23,7 +23,7 @@ struct RloUser {
 void checkS5t001(const Facts& facts, FindingSink& sink) {
   std::map<RloUser, std::vector<const Instruction*>> users;
   eachOwnBlock(facts, [&](std::uint32_t block, const Flow& flow) {
-    if (isStartUpOnly(facts, block)) return;
+    if (facts.calls().isStartUpOnly(block)) return;
     for (const FlowStep& step : flow.steps) {
       const Instruction& instruction = *step.instruction;
       const StatementRole role = statementRole(instruction);

@@ -23,7 +23,7 @@ void checkS5t002(const Facts& facts, FindingSink& sink) {
   std::map<std::pair<Area, std::uint32_t>, bool> freed;
   bool isHidden = facts.hasHiddenCode();
   eachOwnBlock(facts, [&](std::uint32_t block, const Flow& flow) {
-    const bool isStartUp = isStartUpOnly(facts, block);
+    const bool isStartUp = facts.calls().isStartUpOnly(block);
     const LogicStates states = logicStates(flow);
     for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {
       const Instruction& instruction = *flow.steps[at].instruction;

@@ -23,7 +23,8 @@ bool isIecTimerCall(const Instruction& instruction) {
 std::string reasonSkipped(const Facts& facts, const Instruction& call, const Instruction*& cause) {
   const std::uint32_t block = facts.blockOf(call.id);
   const ExecutionPoint& point = facts.execution().at(call.id);
-  if (!point.isReachable || isStartUpOnly(facts, block) || facts.execution().runs(block) == Runs::Never) return {};
+  if (!point.isReachable || facts.calls().isStartUpOnly(block) || facts.execution().runs(block) == Runs::Never)
+    return {};
   if (point.isSkipped) {
     cause = facts.skippedBy(call.id);
     return fmt::format("{} may leave it out", Facts::text(*cause));

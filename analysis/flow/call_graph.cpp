@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "ir/s7300/block.hpp"
 #include "ir/s7300/organization_block.hpp"
 
 namespace rungproof {
@@ -101,6 +102,8 @@ CallGraph::CallGraph(const Program& program, const Plan& plan) {
   fromMain_.assign(blocks, 0);
   fromInterrupt_.assign(blocks, 0);
   attached_.assign(blocks, 0);
+  fromStartUp_.assign(blocks, 0);
+  fromOtherBlocks_.assign(blocks, 0);
 
   std::map<std::pair<PouKind, int>, std::uint32_t> byNumber;
   for (std::uint32_t b = 0; b < blocks; ++b)
@@ -141,6 +144,10 @@ CallGraph::CallGraph(const Program& program, const Plan& plan) {
     mark(a.routine, fromInterrupt_);
   }
   for (std::uint32_t b = 0; b < blocks; ++b) {
+    if (program.pous[b].type == BlockType::Ob) {
+      const int number = numberOfBlock(program.pous[b].number);
+      mark(b, number >= 100 && number <= 102 ? fromStartUp_ : fromOtherBlocks_);
+    }
     const bool isOb = program.pous[b].type == BlockType::Ob && s7300::mayStart(program, program.pous[b]);
     if (program.pous[b].kind == PouKind::Main || isOb) mark(b, fromMain_);
     if (callsByNumber && (program.pous[b].type == BlockType::Fc || program.pous[b].type == BlockType::Fb))

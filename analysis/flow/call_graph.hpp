@@ -48,6 +48,8 @@ class CallGraph {
   bool reachedFromMain(std::uint32_t block) const { return fromMain_[block] != 0; }
   /// Reached from an interrupt routine that is attached somewhere.
   bool reachedFromInterrupt(std::uint32_t block) const { return fromInterrupt_[block] != 0; }
+  /// S7-300/400: whether it runs in the start-up alone, in or below OB100 to OB102 and below no other OB.
+  bool isStartUpOnly(std::uint32_t block) const { return fromStartUp_[block] != 0 && fromOtherBlocks_[block] == 0; }
   bool isAttached(std::uint32_t block) const { return attached_[block] != 0; }
 
  private:
@@ -60,7 +62,7 @@ class CallGraph {
   std::vector<int> depth_;
   std::vector<std::uint32_t> deepest_;
   std::vector<std::uint32_t> recursion_;  ///< by block: a call on a cycle through it, or noBlock
-  std::vector<std::uint8_t> fromMain_, fromInterrupt_, attached_;
+  std::vector<std::uint8_t> fromMain_, fromInterrupt_, attached_, fromStartUp_, fromOtherBlocks_;
 };
 
 }  // namespace rungproof

@@ -13,28 +13,6 @@ bool isLibraryText(const Program& program, const Pou& pou) {
   return pou.name.starts_with(blockName(pou.number) + " ") && program.sources->file(pou.span.file).name() == pou.name;
 }
 
-bool isStartUpOnly(const Facts& facts, std::uint32_t block) {
-  std::vector<std::uint8_t> seen(facts.program().pous.size(), 0);
-  std::vector<std::uint32_t> open{block};
-  seen[block] = 1;
-  bool isCalled = false;
-  while (!open.empty()) {
-    const std::uint32_t at = open.back();
-    open.pop_back();
-    const Pou& pou = facts.program().pous[at];
-    const int number = numberOfBlock(pou.number);
-    if (pou.type == BlockType::Ob && (number < 100 || number > 102)) return false;
-    isCalled = isCalled || pou.type == BlockType::Ob;
-    for (const std::uint32_t site : facts.calls().callsOf(at)) {
-      const std::uint32_t caller = facts.calls().sites()[site].caller;
-      if (seen[caller] != 0) continue;
-      seen[caller] = 1;
-      open.push_back(caller);
-    }
-  }
-  return isCalled;
-}
-
 bool mayRunInOneScan(const Facts& facts, std::uint32_t a, std::uint32_t b) {
   if (facts.blockOf(a) != facts.blockOf(b)) return true;
   const auto isInEveryRun = [&](std::uint32_t instruction) {
@@ -55,7 +33,7 @@ bool mayRunTwice(const Facts& facts, std::uint32_t block) {
     std::vector<std::uint32_t> calls;
     for (const std::uint32_t site : facts.calls().callsOf(at)) {
       const CallSite& call = facts.calls().sites()[site];
-      if (!facts.calls().reachedFromMain(call.caller) || isStartUpOnly(facts, call.caller)) continue;
+      if (!facts.calls().reachedFromMain(call.caller) || facts.calls().isStartUpOnly(call.caller)) continue;
       if (facts.execution().at(call.instruction->id).inLoop) return true;
       for (const std::uint32_t other : calls) {
         if (mayRunInOneScan(facts, other, call.instruction->id)) return true;

@@ -8,8 +8,6 @@ namespace rungproof {
 
 /// Whether the block is one of the CPU or a library, read from a text of this program (ir/s7300/library.hpp).
 bool isLibraryText(const Program& program, const Pou& pou);
-/// Whether the block runs in start-ups only (OB100 to OB102).
-bool isStartUpOnly(const Facts& facts, std::uint32_t block);
 /// Whether the block may run more than once between two runs of OB1: called at two places that a run can pass both, in
 /// a loop, or by a block that does so. Calls in start-ups do not count.
 bool mayRunTwice(const Facts& facts, std::uint32_t block);

@@ -229,6 +229,7 @@ void addContracts(Program& program, ProjectSyntax& project) {
 /// After the call every output, and every variable that was given, has any value.
 void Lowering::callContract(Scope& scope, BlockInstance& instance, const Expr& call) {
   instance.isCalled = true;
+  madeBlocks_.insert(instance.block);
   const auto leaveAny = [&](const Type& type, std::uint32_t offset) {
     if (type.bytes == 0) return;
     if (type.width == 1) {

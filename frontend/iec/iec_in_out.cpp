@@ -47,12 +47,17 @@ void Lowering::runWithInOuts(Scope& scope, BlockInstance& instance, Scope& inner
 
 void Lowering::runBody(Scope& scope, BlockInstance& instance, Scope& inner, Span span) {
   instance.isCalled = true;
+  madeBlocks_.insert(instance.block);
   if (instance.isOpen) refuse(span, fmt::format("{} calls itself", instance.block->name));
   if (!instance.hasInOut) {
+    constexpr int mostOpen = 500;
+    if (instance.routine < 0 && openRoutines_ >= mostOpen) refuse(span, "calls are nested too deeply");
     if (instance.routine < 0) makeRoutine(instance);
     return emit("CAL", {instance.routine});
   }
-  if (++depth_ > 32) refuse(span, "calls are nested too deeply");
+  constexpr int deepest = 32;
+  if (depth_ >= deepest) refuse(span, "calls are nested too deeply");
+  ++depth_;
   inner.caller = &scope;
   inner.returnLabel = newLabel();
   instance.isOpen = true;

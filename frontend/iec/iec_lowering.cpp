@@ -381,6 +381,8 @@ std::optional<Operands> Lowering::placesOf(Scope& scope, const Expr& path) {
 void Lowering::makeRoutine(BlockInstance& instance) {
   instance.routine = nextRoutine_++;
   instance.isOpen = true;
+  ++openRoutines_;
+  madeBlocks_.insert(instance.block);
   Pou pou;
   pou.name = instance.path;
   pou.number = instance.routine;
@@ -392,6 +394,7 @@ void Lowering::makeRoutine(BlockInstance& instance) {
   for (const ActionSyntax& action : instance.block->actions) {  // one that nobody calls is made so that it is checked
     if (!instance.hasInOut && !instance.actions.contains(foldedName(action.name))) makeAction(instance, action);
   }
+  --openRoutines_;
   instance.isOpen = false;
 }
 

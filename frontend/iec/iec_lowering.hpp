@@ -365,7 +365,9 @@ class Lowering {
   int nextRoutine_ = 0;
   int nextLabel_ = 0;
   int depth_ = 0;
-  bool isFull_ = false;                ///< the variables have too many bytes, which was said
+  int openRoutines_ = 0;                     ///< that are being made, one below the other
+  std::set<const BlockSyntax*> madeBlocks_;  ///< an instance of them was called or made
+  bool isFull_ = false;                      ///< the variables have too many bytes, which was said
   bool isTooNested_ = false;           ///< instances stand in each other too deeply or are too many, which was said
   const Expr* enabledCall_ = nullptr;  ///< a call whose EN was asked already
   bool asksEnabled_ = false;           ///< some path ends in .ENO

@@ -204,10 +204,7 @@ void Lowering::makePrograms() {
   if (!all.empty()) makeMain();
   // A block that nobody calls is made once, so that it is checked.
   for (const BlockSyntax& block : project_.blocks) {
-    const bool isCalled = std::ranges::any_of(instances_, [&](const BlockInstance& instance) {
-      return instance.block == &block && (instance.routine >= 0 || instance.isCalled);
-    });
-    if (block.isLibrary || isCalled || block.kind == BlockKind::Program) continue;
+    if (block.isLibrary || madeBlocks_.contains(&block) || block.kind == BlockKind::Program) continue;
     try {
       BlockInstance* made =
           block.kind == BlockKind::Function ? functionNamed(foldedName(block.name)) : makeInstance(block, block.name);

@@ -186,10 +186,13 @@ class EvidenceReader {
     }
     // What a call gives its parameters.
     for (std::size_t at = text.find(":="); isCode_ && at != std::string_view::npos; at = text.find(":=", at + 2))
-      operandOf(lettersInCapitals(trimmed(text.substr(at + 2))), first);
+      operandOf(lettersInCapitals(trimmed(text.substr(at + 2, longestOperand))), first);
     const bool isGlued = end < text.size() && text[end] == '#' && end > 0 && isWordByte(text[end - 1]);  // W#5
     if (!isGlued) operandOf(lettersInCapitals(rest), first);
   }
+
+  /// More letters than tell what an operand is; a call can have thousands of parameters behind it.
+  static constexpr std::size_t longestOperand = 200;
 
   /// LDW=, AB>=, OR<>: compare contacts of the S7-200.
   static bool isComparison(std::string_view word) {

@@ -57,6 +57,14 @@ TEST(IecNestedTypes, DoublingInstancesAreRefused) {
   EXPECT_TRUE(isTold(blocksOf(60, "a, b : F{};") + withInstance, "stand in more than 32 others"));
 }
 
+TEST(IecNestedTypes, ALongChainOfCallsIsRefused) {
+  std::string text;
+  for (int i = 1; i < 20'000; ++i)
+    text += fmt::format("FUNCTION G{0} : INT VAR_INPUT x : INT; END_VAR G{0} := G{1}(x); END_FUNCTION\n", i, i + 1);
+  text += "FUNCTION G20000 : INT VAR_INPUT x : INT; END_VAR G20000 := x; END_FUNCTION\n";
+  EXPECT_TRUE(isTold(text + "PROGRAM m VAR q : INT; END_VAR q := G1(1); END_PROGRAM\n", "calls are nested too deeply"));
+}
+
 TEST(IecNestedTypes, ABlockInItselfIsNamed) {
   EXPECT_TRUE(
       isTold("FUNCTION_BLOCK A VAR b : B; END_VAR END_FUNCTION_BLOCK\n"
