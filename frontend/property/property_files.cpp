@@ -70,7 +70,7 @@ PropertySet readProperties(Program& program, const std::vector<std::string>& fil
              "write for example: prove no_shoot_through: never Q0.0 and Q0.1");
     readPropertyText(file, text, 0, lookup, set, program.findings, &program.target, names);
   }
-  suggestMeant(program, before);
+  suggestMeant(program, before, lookup);
   return set;
 }
 
