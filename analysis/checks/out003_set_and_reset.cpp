@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
+#include <sstream>
+#include <string>
 
 #include "analysis/asking/asking.hpp"
 #include "analysis/rule.hpp"
@@ -30,6 +33,33 @@ bool isSwitchOff(const EncodedScan& encoding, const BitWrite& a, const BitWrite&
   if (!isCoil(roleOf(*a.instruction)) || !isReset(roleOf(reset)) || reset.operands.size() < 2) return false;
   const bool isRow = reset.operands[1].kind != OperandKind::Constant || reset.operands[1].value > 1;
   return isRow && !isInInterrupt(encoding, *a.instruction) && !isInInterrupt(encoding, reset);
+}
+
+/// Whether a reset runs last: what it switches off stays off, whatever sets it. An interrupt comes anywhere.
+bool isResetLast(const EncodedScan& encoding, const Instruction& first, const Instruction& last) {
+  return isReset(roleOf(last)) && !isInInterrupt(encoding, first) && !isInInterrupt(encoding, last);
+}
+
+/// Whether `//@ reset dominant Q0.0, Motor` names the bit, by its address or its symbol.
+bool isStatedResetDominant(const Program& program, Area area, std::uint32_t byte, unsigned bit) {
+  const Operand operand = direct(area, Width::Bit, byte, static_cast<std::uint8_t>(bit));
+  const Symbol* symbol = program.symbolOf(operand);
+  const auto isSame = [](std::string_view a, std::string_view b) {
+    return std::ranges::equal(
+        a, b, {}, [](unsigned char c) { return std::tolower(c); }, [](unsigned char c) { return std::tolower(c); });
+  };
+  for (const Directive& directive : program.directives) {
+    std::istringstream words(directive.text);
+    std::string word;
+    if (!(words >> word) || !isSame(word, "reset") || !(words >> word) || !isSame(word, "dominant")) continue;
+    while (std::getline(words >> std::ws, word, ',')) {
+      while (!word.empty() && (word.back() == ' ' || word.back() == '"')) word.pop_back();
+      if (word.starts_with('"')) word.erase(0, 1);
+      if (isSame(word, toString(operand)) || (symbol != nullptr && isSame(word, std::string(symbol->name))))
+        return true;
+    }
+  }
+  return false;
 }
 
 using ConflictPairs = std::map<std::pair<const Instruction*, const Instruction*>, Node>;
@@ -65,11 +95,15 @@ void askOut003(Asking& asking) {
       for (std::size_t k = i + 1; k < list.size(); ++k) addConflict(asking, *list[i], *list[k], pairs);
     }
     const std::uint32_t bit = bitPosition(place.area, place.byte(), place.bit());
+    const bool isStated = isStatedResetDominant(asking.program(), place.area, place.byte(), place.bit());
     for (const auto& [pair, bad] : pairs) {
+      const bool resetWins = isResetLast(asking.encoding(), *pair.first, *pair.second);
+      if (resetWins && isStated) continue;
       std::vector<RuleQuestion>& ofPair = conflicts[{pair.first->id, pair.second->id}];
       auto same = std::ranges::find(ofPair, bad, &RuleQuestion::bad);
       if (same == ofPair.end()) {
         ofPair.push_back({.place = pair.second, .bad = bad, .other = pair.first, .row = {place.area}});
+        if (resetWins) ofPair.back().aspect = RuleQuestion::noted;
         same = std::prev(ofPair.end());
       }
       same->row.bits.push_back(bit);
@@ -94,14 +128,15 @@ extern constexpr Rule out003_set_and_reset = {
     .severity = Severity::Warning,
     .needs = Needs::Solver,
     .detects =
-        "S and R, S or R against =, or both inputs of SR or RS, that act on one bit in one scan with opposite values",
+        "S and R, S or R against =, or both inputs of SR or RS, that act on one bit in one scan with opposite values; "
+        "a note where a reset comes last, nothing where //@ reset dominant states that it is meant",
     .why = "the order of the networks decides which one wins, and for SR and RS the type of the box does",
     .manual = "001:2821, 001:2897",
-    .bad = "Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLD I0.1\nR Q0.0, 1\n",
+    .bad = "Network 1\nLD I0.1\nR Q0.0, 1\nNetwork 2\nLD I0.0\nS Q0.0, 1\n",
     .good = "Network 1\nLD I0.0\nAN I0.1\nS Q0.0, 1\nNetwork 2\nLD I0.1\nR Q0.0, 1\n",
-    .falsePositives = "a stop that is written last on purpose",
+    .falsePositives = "a set that is written last on purpose",
     .ask = {.in = asked::Builtin, .turn = 10, .cost = 2, .program = askOut003},
-    .tell = {.bits = conflictMessage},
+    .tell = {.advice = "if the reset is meant to win, say so with //@ reset dominant ADDRESS", .bits = conflictMessage},
 };
 
 }  // namespace rungproof

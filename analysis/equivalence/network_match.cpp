@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "ir/desc.hpp"
@@ -85,7 +86,7 @@ class Matcher {
   ProgramMatch run() {
     pairEqual(true);
     pairEqual(false);
-    for (const Likeness least : {Likeness::Half, Likeness::Result}) {
+    for (const Likeness least : {Likeness::Half, Likeness::Result, Likeness::Title}) {
       for (std::size_t p = 0; p < after_.pous.size(); ++p) pairSimilar(p, least);
     }
     write();
@@ -132,8 +133,12 @@ class Matcher {
   }
   static std::string nameIn(const std::string& line) { return line.substr(0, line.find(' ')); }
 
-  /// Half of the instructions in common, or at least one that does more than read.
-  enum class Likeness : std::uint8_t { Half, Result };
+  /// Half of the instructions in common, or at least one that does more than read, or the title alone.
+  enum class Likeness : std::uint8_t { Half, Result, Title };
+  bool isSameTitle(const NetworkShape& old, const NetworkShape& other) const {
+    const auto& title = before_.pous[old.where.pou].networks[old.where.network].title;
+    return !title.empty() && title == after_.pous[other.where.pou].networks[other.where.network].title;
+  }
   static bool shareResult(const NetworkShape& old, const NetworkShape& other) {
     for (std::size_t i = 0; i < old.lines.size(); ++i) {
       if (!old.onlyReads[i] && std::ranges::find(other.lines, old.lines[i]) != other.lines.end()) return true;
@@ -141,22 +146,27 @@ class Matcher {
     return false;
   }
 
-  /// What is left of a block: a network of NEW with the network of OLD that it shares most instructions with.
+  /// What is left of a block: a network of NEW with the network of OLD that drives the same; among several with the one
+  /// that has the same title, and then with the one that it shares most instructions with.
   void pairSimilar(std::size_t pou, Likeness least) {
+    using Nearness = std::tuple<bool, bool, std::size_t>;
     for (std::size_t j = 0; j < new_.size(); ++j) {
       if (new_[j].isPaired || new_[j].where.pou != pou) continue;
-      std::size_t most = 0, found = old_.size();
+      Nearness most{false, false, 0};
+      std::size_t found = old_.size();
       for (std::size_t i = 0; i < old_.size(); ++i) {
         if (old_[i].isPaired || blockName(before_.pous[old_[i].where.pou]) != blockName(after_.pous[pou])) continue;
         const std::size_t common =
             commonSubsequence(old_[i].lines.size(), new_[j].lines.size(), [&](std::size_t a, std::size_t b) {
               return old_[i].lines[a] == new_[j].lines[b];
             }).size();
+        const bool hasResult = shareResult(old_[i], new_[j]), hasTitle = isSameTitle(old_[i], new_[j]);
         const bool isAlike = least == Likeness::Half
-                                 ? 2 * common >= std::min(old_[i].lines.size(), new_[j].lines.size())
-                                 : shareResult(old_[i], new_[j]);
-        if (isAlike && common > most) {
-          most = common;
+                                 ? common > 0 && 2 * common >= std::min(old_[i].lines.size(), new_[j].lines.size())
+                             : least == Likeness::Result ? hasResult
+                                                         : hasTitle;
+        if (const Nearness nearness{hasResult, hasTitle, common}; isAlike && nearness > most) {
+          most = nearness;
           found = i;
         }
       }

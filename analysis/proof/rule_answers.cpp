@@ -14,10 +14,14 @@ namespace {
 
 constexpr std::size_t mostHalves = 8;  ///< of a conflict that are shown beside it
 
-std::string helpOf(const Rule& rule, int scans, Shown shown) {
+std::string helpOf(const RuleQuestion& question, int scans, Shown shown) {
+  const Rule& rule = *question.rule;
   const std::string_view advice = rule.tell.advice;
+  const bool isNoted = question.aspect >= RuleQuestion::noted;
   if (rule.ask.wantsYes) return fmt::format("proved for every run; {}", advice);
-  if (isAskedByProve(rule) && shown == Shown::Finding) return "'rungproof prove --builtin' shows the run";
+  if (isAskedByProve(rule) && shown == Shown::Finding)
+    return fmt::format("'rungproof prove --builtin' shows the run{}{}", isNoted ? "; " : "",
+                       isNoted ? advice : std::string_view());
   return fmt::format("seen in scan {} of a run that the engine repeats{}{}", scans, advice.empty() ? "" : "; ", advice);
 }
 
@@ -25,14 +29,14 @@ Finding findingAt(const ProofResult& result, Shown shown) {
   const RuleQuestion& question = *result.builtin;
   Finding finding;
   finding.rule = std::string(question.rule->id);
-  finding.severity = question.rule->severity;
+  finding.severity = question.severity();
   finding.message = question.message;
   finding.address = question.address;
   finding.confirmation = Confirmation::Confirmed;
   if (question.place != nullptr) finding.span = question.place->span;
   if (question.other != nullptr)
     finding.related.push_back({question.other->span, std::string(question.rule->tell.otherPlace)});
-  finding.help = helpOf(*question.rule, result.depth, shown);
+  finding.help = helpOf(question, result.depth, shown);
   return finding;
 }
 
@@ -81,6 +85,7 @@ Finding joinedFinding(const ProofRow& group, Shown beside) {
   finding.related.clear();
   for (const ProofResult* result : group) {
     const RuleQuestion& question = *result->builtin;
+    finding.severity = std::max(finding.severity, question.severity());
     row.bits.insert(row.bits.end(), question.row.bits.begin(), question.row.bits.end());
     last.insert(question.place->desc->stl);
     for (const Instruction* half : {question.other, question.place}) {

@@ -98,7 +98,9 @@ void PageWriter::basis() {
     out_ << fmt::format("<li>approximated: {}</li>\n", names.marked(place));
   for (const std::string& line : report_.coverage.leftOut)
     out_ << fmt::format("<li>left out: {}</li>\n", names.marked(line));
-  for (const std::string& assumption : report_.assumptions)
+  if (!report_.programs.empty() && !report_.assumptions.empty())
+    out_ << "<li>the <a href=\"#assumptions\">assumptions</a> on the first page</li>\n";
+  for (const std::string& assumption : report_.programs.empty() ? report_.assumptions : std::vector<std::string>())
     out_ << fmt::format("<li>assumes: {}</li>\n", names.marked(assumption));
   if (report_.suppressed > 0)
     out_ << fmt::format("<li>findings that comments in the program silence: {}</li>\n", report_.suppressed);
@@ -115,26 +117,41 @@ void PageWriter::basis() {
   }
 }
 
+bool PageWriter::isDependedOn(const ProgramRecord& record, const ChoiceInForce& choice) const {
+  return std::ranges::any_of(report_.properties, [&](const PropertyResult& property) {
+    if (recordOf(property) != &record) return false;
+    // "inactive-scr = skipped" of what was in force, "under inactive-scr = skipped" of what a run needs.
+    const auto isOfKey = [&](std::string_view text) { return text.starts_with(choice.key + " = "); };
+    const auto isNeeded = [&](std::string_view note) {
+      return note.starts_with("under ") && isOfKey(note.substr(std::string_view("under ").size()));
+    };
+    return std::ranges::any_of(property.assumptions, isOfKey) || std::ranges::any_of(property.notes, isNeeded);
+  });
+}
+
 void PageWriter::choices() {
   if (report_.programs.empty() || report_.command != "prove") return;
   section("Choices in force");
-  out_ << "<p>Points that the manual leaves open. Where nobody chose, a proof covers every reading; a fact of the "
-          "plant has "
-          "one value in proofs too.</p>\n";
-  std::vector<const ProgramRecord*> shown;
+  out_ << "<p>Points that the manual leaves open and that some verdict depends on. Where nobody chose, a proof covers "
+          "every reading; a fact of the plant has one value in proofs too.</p>\n";
+  std::vector<std::vector<ChoiceInForce>> shown;
   for (const ProgramRecord& record : report_.programs) {
-    const auto isSame = [&](const ProgramRecord* other) {
-      return std::ranges::equal(record.choices, other->choices, [](const ChoiceInForce& a, const ChoiceInForce& b) {
+    std::vector<ChoiceInForce> choices = record.choices;
+    std::erase_if(choices, [&](const ChoiceInForce& choice) { return !isDependedOn(record, choice); });
+    const auto isSame = [&](const std::vector<ChoiceInForce>& other) {
+      return std::ranges::equal(choices, other, [](const ChoiceInForce& a, const ChoiceInForce& b) {
         return a.key == b.key && a.value == b.value && a.origin == b.origin;
       });
     };
     if (std::ranges::any_of(shown, isSame)) continue;
-    shown.push_back(&record);
+    shown.push_back(choices);
     if (shown.size() > 1) out_ << fmt::format("<h3>Of {}</h3>\n", xmlText(record.name));
+    if (choices.empty()) out_ << "<p>No verdict depends on one.</p>\n";
+    if (choices.empty()) continue;
     out_ << "<table class=\"wide cards\"><thead><tr><th>Choice</th><th>In this run</th><th>What is "
             "open</th></tr></thead>"
             "<tbody>\n";
-    for (const ChoiceInForce& choice : record.choices) {
+    for (const ChoiceInForce& choice : choices) {
       const std::string value = !choice.origin.empty()
                                     ? fmt::format("<b>{}</b>, made: {}", choice.value, xmlText(choice.origin))
                                 : choice.isFact ? fmt::format("{}, default", choice.value)

@@ -91,11 +91,13 @@ void PageWriter::program(const ProgramRecord& record) {
                         option.value == "true" ? "yes" : xmlText(option.value), xmlText(option.origin));
   std::string made;
   for (const ChoiceInForce& choice : record.choices) {
-    if (!choice.origin.empty()) made += fmt::format("{}{} = {}", made.empty() ? "" : ", ", choice.key, choice.value);
+    if (choice.origin.empty()) continue;
+    made += fmt::format("{}{} = {}{}", made.empty() ? "" : ", ", choice.key, choice.value,
+                        isDependedOn(record, choice) ? "" : " (no verdict depends on it)");
   }
   if (report_.command == "prove")
     out_ << fmt::format(
-        "<dt>Choices made</dt><dd>{}; see <a href=\"#Choices-in-force\">all of them</a></dd>\n",
+        "<dt>Choices made</dt><dd>{}; see <a href=\"#Choices-in-force\">those that a verdict depends on</a></dd>\n",
         made.empty() ? "none: the proofs cover every reading of what the manual leaves open" : xmlText(made));
   out_ << "</dl>\n<table class=\"wide "
           "cards\"><thead><tr><th>File</th><th>Kind</th><th>Bytes</th><th>SHA-256</th></tr></thead><tbody>\n";
@@ -105,6 +107,15 @@ void PageWriter::program(const ProgramRecord& record) {
         "data-label=\"SHA-256\">{}</td></tr>\n",
         xmlText(file.name), file.kind, file.bytes, file.sha256);
   out_ << "</tbody></table>\n";
+}
+
+void PageWriter::assumptions() {
+  if (report_.assumptions.empty() || report_.programs.empty()) return;
+  const AddressNames& names = names_.size() == 1 ? names_.front() : noNames_;
+  out_ << fmt::format("<h3 id=\"{}\">Assumptions of every verdict</h3>\n<ul>\n", places_.of("assumptions"));
+  for (const std::string& assumption : report_.assumptions)
+    out_ << fmt::format("<li>assumes: {}</li>\n", names.marked(assumption));
+  out_ << "</ul>\n";
 }
 
 void PageWriter::begin() {
@@ -139,6 +150,7 @@ void PageWriter::begin() {
       out_ << fmt::format("<h3 id=\"{}\">{}</h3>\n", places_.of("program " + record.name), xmlText(record.name));
     program(record);
   }
+  assumptions();
 }
 
 void PageWriter::signatures() {

@@ -23,7 +23,7 @@ class PageWriter {
   void selfCheck();   ///< planted faults
   void findings();    ///< of the run and of lint
   void basis();       ///< coverage, assumptions, approximations
-  void choices();     ///< points that the manual leaves open
+  void choices();     ///< points that the manual leaves open and some verdict depends on
   void words();       ///< what the verdicts and methods on this page mean
   void signatures();
   void end();
@@ -43,6 +43,8 @@ class PageWriter {
   std::string networkPlace(const ProgramRecord& record, const std::string& pou, int number) const;
   std::string networkLinks(const PropertyResult& property) const;
   void program(const ProgramRecord& record);
+  void assumptions();
+  bool isDependedOn(const ProgramRecord& record, const ChoiceInForce& choice) const;
   void verdictRow(std::size_t index);
   void property(std::size_t index);
   void run(const PropertyResult& property, const std::string& place);

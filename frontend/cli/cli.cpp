@@ -299,6 +299,38 @@ int runCommand(const Command& command, std::vector<std::string> arguments, const
   return static_cast<int>(exit);
 }
 
+/// A file stands where the command is expected: which commands take such a file.
+std::optional<Failure> fileForCommand(const std::string& name, const std::vector<std::string>& rest) {
+  std::error_code error;
+  const fs::path path(name);
+  const std::string ending = pathName(path.extension());
+  if (!fs::exists(path, error)) {
+    if (ending.empty()) return std::nullopt;
+    return Failure{fmt::format("'{}' is no command, and no such file is here", name),
+                   {},
+                   "write the command first, such as: rungproof lint FILE; 'rungproof --help' lists the commands"};
+  }
+  const std::string message =
+      fmt::format("'{}' is a {} and no command", name, fs::is_directory(path, error) ? "folder" : "file");
+  const auto isCommand = [](const std::string& word) { return commandNamed(word) != nullptr; };
+  if (const auto command = std::ranges::find_if(rest, isCommand); command != rest.end())
+    return Failure{message, {}, fmt::format("the command comes first: rungproof {} {}", *command, name)};
+  if (ending == ".prop")
+    return Failure{message, {}, fmt::format("to prove what it states: rungproof prove PROGRAM --props {}", name)};
+  if (ending == ".csv" || ending == ".vcd")
+    return Failure{
+        message,
+        {},
+        fmt::format("to run a program on it: rungproof sim PROGRAM --stimulus {0}; to compare two traces: "
+                    "rungproof compare EXPECTED {0}; to run a test table: rungproof test PROGRAM --table {0}",
+                    name)};
+  return Failure{message,
+                 {},
+                 fmt::format("to check it: rungproof lint {0}; to prove its interlocks: rungproof prove {0}; to run "
+                             "it: rungproof sim {0}",
+                             name)};
+}
+
 bool isWatchable(const Command& command) {
   ArgumentTable table;
   const Action action = command.setup(table);
@@ -335,13 +367,7 @@ int runArguments(const std::vector<std::string>& arguments, const Streams& strea
   }
   const Command* command = commandNamed(arguments[at]);
   if (command == nullptr) {
-    std::error_code error;
-    if (fs::exists(arguments[at], error))
-      return failed(streams.err, {fmt::format("'{}' is a file and no command", arguments[at]),
-                                  {},
-                                  fmt::format("to check it: rungproof lint {0}; to prove its interlocks: rungproof "
-                                              "prove {0}; to run it: rungproof sim {0}",
-                                              arguments[at])});
+    if (const auto failure = fileForCommand(arguments[at], rest)) return failed(streams.err, *failure);
     const std::string_view meant = closest(arguments[at], commandNames());
     return failed(streams.err,
                   {fmt::format("unknown command '{}'", arguments[at]),

@@ -105,7 +105,7 @@ Exit compare(const Arguments& arguments, Context& context) {
   options.pairs = sides.pairs;
   options.observed = sides.observed;
   options.assumptions = sides.assumptions;
-  const ProgramDifference difference = differenceOf(sides, options);
+  const ProgramDifference difference = differenceOf(sides, options, arguments.form, arguments.width - 2);
   DifferenceStyle style;
   style.form = arguments.form == "fbd" ? Form::Fbd : arguments.form == "stl" ? Form::Stl : Form::Ladder;
   style.width = arguments.width;
@@ -153,8 +153,9 @@ extern constexpr Command diffCommand = {
     .details =
         "Layout, comments, titles, network numbers, the order of blocks, the set of mnemonics and symbol names do not\n"
         "count. Of every changed network: OLD and NEW side by side, the outputs and the memory that it can influence,\n"
-        "and whether each of these outputs can differ, is proved equal, or is undecided ('rungproof equiv' shows the\n"
-        "run). Properties that OLD declares are proved of both; a verdict that changed stands at the top.\n"
+        "and whether each of these outputs can differ, is proved equal, or is undecided. The run of the first\n"
+        "difference stands at the end, lit in both programs ('rungproof equiv' writes it as a trace). Properties that\n"
+        "OLD declares are proved of both; a verdict that changed stands at the top.\n"
         "\n"
         "Exit codes: 0 no output can differ, 1 some can, 3 undecided.\n"
         "\n"

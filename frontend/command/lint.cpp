@@ -21,6 +21,7 @@ struct State {
   bool diff = false;
   bool unsafeFixes = false;
   bool prove = false;
+  std::string traces;
   bool watch = false;
 };
 
@@ -53,12 +54,16 @@ Action setup(ArgumentTable& table) {
              "with --fix and --diff: also the fixes that are guesses and may change what the program does");
   table.flag("--prove", state->prove,
              "also the rules that need the prover: candidates are confirmed by a replayed run, or dropped");
+  table.option("--traces", state->traces, "DIR",
+               "with --prove: write the run that confirms each finding as CSV (also a stimulus), VCD and SVG");
   table.flag(watchOption, state->watch, watchHelp);
   return [state](Context& context) {
     const std::vector<std::string> files = expandFolders(state->files, context.settings);
     if (files.empty())
       return context.fail({"every program is excluded", state->files.front(), "see 'exclude' of 'rungproof config'"});
-    Report report = lintFiles(context, files, state->prove);
+    if (!state->traces.empty() && !state->prove)
+      return context.fail({"--traces writes the runs that the prover finds", state->traces, "give --prove"});
+    Report report = lintFiles(context, files, state->prove, state->traces);
     const FixLevel level = state->unsafeFixes ? FixLevel::Unsafe : FixLevel::Safe;
     const bool readsInput = std::ranges::find(files, "-") != files.end();
     if (state->diff) {
@@ -79,7 +84,7 @@ Action setup(ArgumentTable& table) {
     }
     if (state->fix) {
       const bool written = applyFixes(context, report, level, readsInput);
-      report = lintFiles(context, files, state->prove);
+      report = lintFiles(context, files, state->prove, state->traces);
       if (readsInput) {
         Context beside{context.settings, context.in,     context.err, context.err, false,
                        context.progress, context.outputs};

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <filesystem>
 #include <set>
-#include <sstream>
 
 #include "analysis/proof/proof_networks.hpp"
 #include "analysis/proof/rule_answers.hpp"
@@ -14,7 +12,6 @@
 #include "analysis/selfcheck/self_check.hpp"
 #include "analysis/unread/idle_blocks.hpp"
 #include "engine/platform/interrupt.hpp"
-#include "engine/platform/names.hpp"
 #include "frontend/acceptance/record_of.hpp"
 #include "frontend/command.hpp"
 #include "frontend/explain/certificate_head.hpp"
@@ -22,13 +19,11 @@
 #include "frontend/input/proof_input.hpp"
 #include "frontend/input/protected_findings.hpp"
 #include "frontend/result_cache.hpp"
-#include "frontend/simulation/given_columns.hpp"
 #include "frontend/simulation/witness_drawing.hpp"
 #include "frontend/simulation/witness_report.hpp"
 #include "frontend/testing/table_reader.hpp"
 #include "frontend/testing/witness_table.hpp"
 #include "frontend/text/excerpt.hpp"
-#include "frontend/trace_format.hpp"
 #include "frontend/watch.hpp"
 #include "ir/iec/variables.hpp"
 
@@ -47,77 +42,26 @@ struct Arguments {
   std::string certificates;
   std::string traces, tables;
   std::string show;
+  int width = 100;
   std::string shard;
 };
 
 constexpr double secondsForUndecided = 4;  ///< of the self-check, for a fault that a quick look leaves open
-constexpr std::size_t scansInText = 3, scansInPage = 300;  // the last ones of a witness
+constexpr std::size_t scansInPage = 300;   // the last ones of a witness
 
 std::atomic<bool> interrupted = false;  ///< leads to the report
 
-/// File names made of the names of properties; no two properties get the same one.
-class EvidenceNames {
- public:
-  std::string of(std::string_view name) {
-    std::string stem;
-    for (const char c : name)
-      stem += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.' ? c : '_';
-    if (stem.empty()) stem = "property";
-    const std::string plain = stem;
-    for (int i = 2; !given_.insert(stem).second; ++i) stem = fmt::format("{}_{}", plain, i);
-    return stem;
-  }
-
- private:
-  std::set<std::string> given_;
-};
-
-std::string fileIn(const std::string& directory, const std::string& name) {
-  std::error_code error;  // a folder that cannot be made shows when the file is written
-  std::filesystem::create_directories(directory, error);
-  return pathName(std::filesystem::path(directory) / name);
-}
-
-/// Writes the witness as CSV (also a stimulus), VCD and SVG; gives the name of the CSV file.
-std::string writeTraces(const Context& context, const std::string& directory, const std::string& stem,
-                        const Program& program, const Choices& choices, const ProofResult& result,
-                        std::vector<std::string>& notes) {
-  std::vector<TraceSignal> signals = touchedSignals(program);
-  for (TraceSignal& signal : signalsThatMatter(program, result)) {  // what only the property names
-    if (std::ranges::find(signals, signal.name, &TraceSignal::name) == signals.end())
-      signals.push_back(std::move(signal));
-  }
-  Trace trace = traceOf(program, choices, *result.witness, signals);
-  addGiven(program, choices, *result.witness, trace);
-  if (trace.rows.size() < result.witness->scanCount)
-    notes.push_back(
-        fmt::format("the trace holds the last {} of {} scans: 'rungproof sim' cannot repeat the run from it",
-                    trace.rows.size(), result.witness->scanCount));
-  std::string first;
-  for (const char* ending : {".csv", ".vcd", ".svg"}) {
-    const std::string name = fileIn(directory, stem + ending);
-    std::ostringstream text;
-    traceFormatOf(name)->write(trace, result.property.name, text);
-    if (!context.write({ending + 1, name}, text.str())) continue;
-    if (first.empty()) first = name;
-  }
-  return first;
-}
-
-/// The last scans as drawings: a few for people, more for a page that steps through them.
+/// The scans that matter as drawings for people, the last ones for a page that steps through them.
 std::vector<ShownScan> drawnScans(const Arguments& arguments, const Program& program, const Choices& choices,
                                   const ProofResult& result, bool hasPage) {
   WitnessDrawingOptions options;
   options.form = arguments.show == "fbd" ? Form::Fbd : arguments.show == "stl" ? Form::Stl : Form::Ladder;
-  options.scans = hasPage ? scansInPage : scansInText;
+  options.lastScans = scansInPage;
+  options.width = arguments.width;
   options.text = !arguments.show.empty();
   options.svg = hasPage;
   options.asRead = arguments.show.empty();
-  std::vector<ShownScan> scans = shownScans(program, choices, result, options);
-  for (std::size_t i = 0; i + scansInText < scans.size(); ++i) {
-    for (ShownNetwork& network : scans[i].networks) network.text.clear();
-  }
-  return scans;
+  return shownScans(program, choices, result, options);
 }
 
 bool wantsPage(const Context& context) {
@@ -157,17 +101,17 @@ PropertyResult rowOf(const Context& context, const Arguments& arguments, Evidenc
     if (hasPage) addEvidence(row, program, choices, result, &trace);
     if (!arguments.show.empty() || hasPage) row.scans = drawnScans(arguments, program, choices, result, hasPage);
     if (!arguments.traces.empty())
-      row.trace = writeTraces(context, arguments.traces, stem, program, choices, result, row.notes);
+      row.trace = writeRun(context, arguments.traces, stem, program, choices, result, row.notes);
     if (!arguments.tables.empty()) {
       const Property* const broken = result.outcome == Outcome::Violated ? &result.property : nullptr;
       const TestTable table = witnessTable(program, set, choices, *result.witness, result.property.name, broken);
-      const std::string name = fileIn(arguments.tables, stem + ".test.csv");
+      const std::string name = evidenceFile(arguments.tables, stem + ".test.csv");
       if (context.write({"csv", name}, testTableText(table))) row.notes.push_back("test table: " + name);
     }
   }
   row.networks = networkList(result.networks);
   if (!result.certificate.empty()) {
-    const std::string name = fileIn(arguments.certificates, stem + ".smt2");
+    const std::string name = evidenceFile(arguments.certificates, stem + ".smt2");
     const std::string head = certificateHead(program, assumptions, result, stem + ".smt2", context.settings.root());
     if (context.write({"smt2", name}, head + result.certificate)) row.certificate = name;
     row.evidence.certificateSha256 = sha256(head + result.certificate);
@@ -230,9 +174,10 @@ void proveInto(Report& part, const Context& context, const Settings& settings, c
   const ProofRun proof =
       prove(program, properties, options, [&](const ProofResult& result, std::size_t done, std::size_t total) {
         if (context.progress)
-          context.err << fmt::format("\rprove: {} of {}: {} {}{} in {:.1f} s\x1B[K", done, total,
+          context.err << fmt::format("\rprove: {} of {}: {} {}{}{} in {:.1f} s\x1B[K", done, total,
                                      verdictText(result.outcome, result.depth), result.property.name,
-                                     result.method.empty() ? "" : " by " + result.method, result.seconds)
+                                     result.method.empty() ? "" : " by " + result.method,
+                                     result.depth > 0 ? fmt::format(", depth {}", result.depth) : "", result.seconds)
                       << std::flush;
         return true;
       });
@@ -367,7 +312,7 @@ Exit runAnew(const Arguments& given, Context& context, bool& isSettled) {
 
 /// Everything that was asked for, in words.
 std::string questionOf(const Arguments& arguments, const Context& context) {
-  std::vector<std::string> parts = {"prove", arguments.show, arguments.shard};
+  std::vector<std::string> parts = {"prove", arguments.show, std::to_string(arguments.width), arguments.shard};
   for (const bool flag : {arguments.asDownloaded, arguments.builtin, arguments.selfCheck, context.color})
     parts.push_back(flag ? "1" : "0");
   for (const std::vector<std::string>* list :
@@ -414,7 +359,9 @@ Action setup(ArgumentTable& table) {
                "write each witness as a test table: what was mended stays mended");
   table.option("--traces", arguments->traces, "DIR", "write each witness as CSV (also a stimulus), VCD and SVG");
   table.word("--show", arguments->show, {"ladder", "lad", "fbd", "stl"}, "ladder|fbd|stl",
-             "draw the networks that matter, with the power flow of the last 3 scans of each witness");
+             "draw the networks that matter, with the power flow of the first scan of each witness, of those in which "
+             "something changes that is asked about, and of the last");
+  table.number("--width", arguments->width, "N", "columns of these drawings; longer rungs are wrapped (100)", 40, 1000);
   table.option("--shard", arguments->shard, "K/N",
                "prove every N-th property, from the K-th on, for N machines; part 1 has the built-in checks and the "
                "self-check; 'rungproof merge' joins the reports");
@@ -447,6 +394,7 @@ extern constexpr Command proveCommand = {
         "    at every instruction prove NAME: never A   inside the scan as well, not only where outputs are written\n"
         "    external VB100..VB199                      any value in any scan\n"
         "    initial retentive                          retentive memory starts with any value\n"
+        "    reset dominant Q0.0, M0.1                  set and reset in one scan: the reset is meant to win (OUT003)\n"
         "    pulse I0.0 at most every 50ms              how fast an input may rise\n"
         "Operators, tightest first: *; + -; = <> < <= > >=; not; and; xor; or; implies. Functions: rises, falls,\n"
         "prev, once, since, held, first_scan. T37 is the bit of a timer, T37.value its current value.\n"

@@ -12,13 +12,14 @@
 
 #include "analysis/lint/lint.hpp"
 #include "analysis/lint/suppress.hpp"
+#include "analysis/proof/rule_answers.hpp"
 #include "analysis/unread/idle_blocks.hpp"
 #include "frontend/input/proof_input.hpp"
 #include "frontend/input/protected_findings.hpp"
 #include "frontend/input/text_sources.hpp"
 #include "frontend/linting/baseline.hpp"
-#include "frontend/linting/solver_rules.hpp"
 #include "frontend/settings/code_list.hpp"
+#include "frontend/simulation/witness_report.hpp"
 #include "frontend/stl/syntax_message.hpp"
 
 namespace rungproof {
@@ -44,10 +45,21 @@ void ignoreInFiles(const Settings& settings, Report& report) {
   });
 }
 
+/// Of --traces: the rule and what it asked make the name of a file.
+RunWriter runWriter(const Context& context, const Settings& settings, EvidenceNames& names, const std::string& folder) {
+  if (folder.empty()) return {};
+  return [&, folder](const Program& program, const ProofResult& result) {
+    const Rule* rule = result.builtin ? result.builtin->rule : ruleOf(result);
+    std::vector<std::string> notes;  // of a very long run the last scans are there; its first row says which
+    return writeRun(context, folder, names.of(fmt::format("{} {}", rule->id, result.property.name)), program,
+                    settings.choices(), result, notes);
+  };
+}
+
 /// The programs one after the other, or several at once where each needs a processor only: the prover has threads and a
 /// limit of memory of its own. The reports have the order of the programs.
 std::vector<Report> lintSideBySide(const Context& context, const std::vector<std::vector<std::string>>& programs,
-                                   bool prove) {
+                                   bool prove, EvidenceNames& names, const std::string& traces) {
   std::vector<const Settings*> settings;
   for (const std::vector<std::string>& files : programs) settings.push_back(&context.settingsOf(files));
   std::vector<Report> reports(programs.size());
@@ -56,7 +68,8 @@ std::vector<Report> lintSideBySide(const Context& context, const std::vector<std
   const auto work = [&] {
     for (std::size_t i = next++; i < programs.size(); i = next++) {
       try {
-        reports[i] = lintProgram(*settings[i], readInput(context, *settings[i], programs[i]), programs[i], prove);
+        reports[i] = lintProgram(*settings[i], readInput(context, *settings[i], programs[i]), programs[i], prove,
+                                 runWriter(context, *settings[i], names, traces));
       } catch (...) {
         failures[i] = std::current_exception();
       }
@@ -98,7 +111,7 @@ bool isSelected(const Settings& settings, std::string_view id) {
 }
 
 Report lintProgram(const Settings& settings, const ProgramInput& given, const std::vector<std::string>& files,
-                   bool prove) {
+                   bool prove, const RunWriter& writeRun) {
   const std::optional<ProgramInput> smaller = prove ? withoutIdleBlocks(given) : std::nullopt;
   const ProgramInput& input = smaller ? *smaller : given;
   const Program& program = input.program;
@@ -120,11 +133,12 @@ Report lintProgram(const Settings& settings, const ProgramInput& given, const st
     const UnreadCode unread(program, settings.choices());
     ProverOptions options = lintProverOptionsOf(settings, program);
     options.unread = &unread;
+    options.explains = options.explains || writeRun;  // runs of rules are kept
     OpenQuestions open;
     if (unread.isWhole())
-      open = settleBySolver(input, options, isSelected, report.findings);
+      open = settleBySolver(input, options, isSelected, report.findings, writeRun);
     else if (!unread.isUnlimited())
-      open = settleBySolver({unread.executable(), input.properties}, options, isSelected, report.findings);
+      open = settleBySolver({unread.executable(), input.properties}, options, isSelected, report.findings, writeRun);
     report.coverage.leftOut = std::move(open.lines);
     report.assumptions.insert(report.assumptions.end(), open.assumptions.begin(), open.assumptions.end());
     report.coverage.open = open.count;
@@ -150,15 +164,17 @@ Report lintProgram(const Settings& settings, const ProgramInput& given, const st
   return report;
 }
 
-Report lintFiles(const Context& context, const std::vector<std::string>& files, bool prove) {
+Report lintFiles(const Context& context, const std::vector<std::string>& files, bool prove, const std::string& traces) {
+  EvidenceNames names;
   const std::vector<std::vector<std::string>> groups = groupByProgram(context, files);
   Report report;
   if (groups.size() == 1) {
     const Settings& settings = context.settingsOf(groups.front());
-    report = lintProgram(settings, readInput(context, settings, groups.front()), groups.front(), prove);
+    report = lintProgram(settings, readInput(context, settings, groups.front()), groups.front(), prove,
+                         runWriter(context, settings, names, traces));
   } else {
     ReportMerger merger;
-    for (Report& part : lintSideBySide(context, groups, prove)) merger.add(part);
+    for (Report& part : lintSideBySide(context, groups, prove, names, traces)) merger.add(part);
     report = merger.take();
   }
   for (const std::string& defect : report.defects) context.err << fmt::format("rungproof: {}\n", defect);

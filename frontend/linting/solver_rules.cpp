@@ -41,8 +41,9 @@ class OpenCount {
     for (const auto& [rule, row] : rows_) {
       if (row.open == 0) continue;
       open_.count += row.open;
-      open_.lines.push_back(fmt::format("{}: {} of {} questions to the prover are open{}", rule, row.open, row.asked,
-                                        row.reason.empty() ? "" : ": " + row.reason));
+      open_.lines.push_back(
+          fmt::format("{}: {} of {} questions to the prover are open{}; --budget and --timeout give more time", rule,
+                      row.open, row.asked, row.reason.empty() ? "" : ": " + row.reason));
     }
     return std::move(open_);
   }
@@ -57,10 +58,37 @@ class OpenCount {
   OpenQuestions open_;
 };
 
+/// Gives each finding that a run has confirmed the file of that run.
+void writeRuns(const Program& program, const std::vector<ProofResult>& results, const RunWriter& writeRun,
+               std::vector<Finding>& findings) {
+  if (!writeRun) return;
+  for (const ProofResult& result : results) {
+    if (!result.witness || result.witness->scans.empty() || (result.builtin && !isRefuted(result))) continue;
+    const Rule* rule = result.builtin ? result.builtin->rule : ruleOf(result);
+    if (rule == nullptr) continue;
+    const Span place = !result.builtin                    ? result.property.span
+                       : result.builtin->place != nullptr ? result.builtin->place->span
+                                                          : Span{};
+    const std::string address = result.builtin ? result.builtin->address : std::string();
+    const auto isShown = [&](const Finding& finding) {
+      const bool isHere = finding.span == place || (!address.empty() && finding.address == address);
+      return finding.rule == rule->id && finding.confirmation == Confirmation::Confirmed && finding.trace.empty() &&
+             isHere;
+    };
+    const auto first = std::ranges::find_if(findings, isShown);
+    if (first == findings.end()) continue;
+    const std::string name = writeRun(program, result);
+    for (auto finding = first; finding != findings.end(); ++finding) {
+      if (isShown(*finding)) finding->trace = name;
+    }
+  }
+}
+
 }  // namespace
 
 OpenQuestions settleBySolver(const ProgramInput& input, const ProverOptions& options,
-                             const std::function<bool(std::string_view)>& isSelected, std::vector<Finding>& findings) {
+                             const std::function<bool(std::string_view)>& isSelected, std::vector<Finding>& findings,
+                             const RunWriter& writeRun) {
   const auto start = std::chrono::steady_clock::now();
   ProverOptions questions = options;
   const std::span<const Rule* const> known = options.checks.rules;
@@ -75,6 +103,7 @@ OpenQuestions settleBySolver(const ProgramInput& input, const ProverOptions& opt
   const ProofRun rules = prove(input.program, input.properties, questions);
   open.add(rules);
   settle(input.program, rules.results, known, isSelected, findings);
+  writeRuns(input.program, rules.results, writeRun, findings);
   if (!asksPowerUp) return open.take();
   PropertySet atPowerUp = input.properties;
   std::erase_if(atPowerUp.properties, [](const Property& property) { return property.isGoal(); });
@@ -85,6 +114,7 @@ OpenQuestions settleBySolver(const ProgramInput& input, const ProverOptions& opt
   const ProofRun powerUp = prove(input.program, atPowerUp, questions);
   open.add(powerUp);
   settle(input.program, powerUp.results, known, isSelected, findings);
+  writeRuns(input.program, powerUp.results, writeRun, findings);
   return open.take();
 }
 

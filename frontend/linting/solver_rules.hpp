@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -22,10 +23,14 @@ struct OpenQuestions {
   TechniqueUses techniques{};            ///< what each has done
 };
 
+/// Writes the run of an answer and gives the name of its file.
+using RunWriter = std::function<std::string(const Program& program, const ProofResult& result)>;
+
 /// `findings` holds those of the flow analysis; candidates among them of the same rule and place are confirmed or
 /// dropped, and new findings of the rules that `isSelected` are added. ProverOptions::total limits all of it, and
-/// ProverOptions::checks says whose questions are asked.
+/// ProverOptions::checks says whose questions are asked. `writeRun`: for the run of each confirmed finding, or empty.
 OpenQuestions settleBySolver(const ProgramInput& input, const ProverOptions& options,
-                             const std::function<bool(std::string_view)>& isSelected, std::vector<Finding>& findings);
+                             const std::function<bool(std::string_view)>& isSelected, std::vector<Finding>& findings,
+                             const RunWriter& writeRun = {});
 
 }  // namespace rungproof

@@ -13,7 +13,8 @@ namespace rungproof {
 
 namespace {
 
-constexpr int laneHeight = 34, levelHeight = 18, belowTitle = 46, withoutTitle = 14, labelGap = 10, charWidth = 7;
+constexpr int laneHeight = 34, levelHeight = 18, belowTitle = 46, withoutTitle = 14, labelGap = 10, charWidth = 7,
+              belowScans = 30;
 
 /// A stretch of rows with the same values, as wide as it is drawn.
 struct DrawnStretch {
@@ -94,20 +95,38 @@ std::string numberLane(const Trace& trace, std::size_t column, const std::vector
   return text + "\n";
 }
 
-/// Scan numbers along the bottom, as many as there is room for; a broken stretch shows how long it is.
+/// When a row begins: at the end of the one before.
+std::uint64_t beginOf(const Trace& trace, std::size_t row) {
+  if (row > 0) return trace.rows[row - 1].timeUs;
+  return trace.rows[row].timeUs - std::min(trace.rows[row].timeUs, std::uint64_t{trace.rows[row].scanUs});
+}
+
+/// Scan numbers along the bottom, as many as there is room for, and below them the time at which each begins; a broken
+/// stretch shows how long it is. Of a recording by time: the times alone.
 std::string axis(const Trace& trace, const std::vector<DrawnStretch>& list, double y) {
   std::string text;
   double free = -1;
+  const auto timeAt = [&](double x, std::uint64_t us) {
+    text +=
+        fmt::format("<text class=\"a\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", x, y + belowScans, millisecondsText(us));
+  };
   for (const DrawnStretch& s : list) {
     const TraceRow& row = trace.rows[s.row];
+    const std::uint64_t begin = beginOf(trace, s.row);
     const std::string number = trace.isByTime ? millisecondsText(row.timeUs) : fmt::format("{}", row.scan);
+    const std::size_t letters =
+        trace.isByTime ? number.size() : std::max(number.size(), millisecondsText(begin).size());
     text += fmt::format("<path class=\"t\" d=\"M{:.1f} {:.1f}v4\"/>", s.x, y);
     if (s.isCut)
       text += fmt::format("<path class=\"t\" d=\"M{0:.1f} {1:.1f}l4 -8m3 0l-4 8\"/>", s.x + s.width - 9, y + 4);
     if (s.x < free) continue;
     text += fmt::format("<text class=\"a\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", s.x, y + 16, number);
-    free = s.x + static_cast<double>(number.size() * charWidth) + 6;
+    if (!trace.isByTime) timeAt(s.x, begin);
+    free = s.x + static_cast<double>(letters * charWidth) + 6;
   }
+  const double right = list.empty() ? 0 : list.back().x + list.back().width;
+  if (!trace.isByTime && !list.empty() && right >= free)
+    timeAt(right, trace.rows[list.back().row + list.back().count - 1].timeUs);
   return text + "\n";
 }
 
@@ -130,7 +149,7 @@ std::string timingDiagram(const Trace& trace, std::string_view title, std::size_
       "fill:none;stroke:#000}}.g{{stroke:#ccc;stroke-dasharray:2 3}}"
       ".n{{text-anchor:middle;font-size:11px}}.a{{text-anchor:middle;font-size:10px;fill:#444}}</style>\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-      right + 30, bottom + 40);
+      right + 30, bottom + (trace.isByTime ? 40 : 54));
   if (!title.empty())
     svg += fmt::format("<text x=\"{}\" y=\"22\" font-weight=\"bold\">{}</text>\n", labelGap, xmlText(title));
   for (const DrawnStretch& s : list)
@@ -144,8 +163,10 @@ std::string timingDiagram(const Trace& trace, std::string_view title, std::size_
   }
   svg += axis(trace, list, bottom);
   const std::string rest = drawn < trace.rows.size() ? fmt::format(" (first {} of {})", drawn, trace.rows.size()) : "";
-  svg += fmt::format("<text x=\"{}\" y=\"{:.1f}\">{}{}</text>\n</svg>\n", labelGap, bottom + 16,
-                     trace.isByTime ? "ms" : "scan", rest);
+  svg += fmt::format("<text x=\"{}\" y=\"{:.1f}\">{}{}</text>\n", labelGap, bottom + 16, trace.isByTime ? "ms" : "scan",
+                     rest);
+  if (!trace.isByTime) svg += fmt::format("<text x=\"{}\" y=\"{:.1f}\">ms</text>\n", labelGap, bottom + belowScans);
+  svg += "</svg>\n";
   return svg;
 }
 

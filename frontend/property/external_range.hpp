@@ -18,6 +18,11 @@ constexpr bool areOfOneArea(const Operand& first, const Operand& last) {
   const bool isOneBlock = first.area != Area::DB || blockOfByte(first.offset) == blockOfByte(last.offset);
   return first.area == last.area && isOneBlock;
 }
+/// Why the two ends are no range that is written from outside, and what to write; nothing if they are.
+struct RangeFault {
+  std::string message, help;
+};
+std::optional<RangeFault> faultOfRange(const Operand& first, const Operand& last);
 /// The last address of a range as text: behind DB10.DBB0, DBB19 is one of DB10.
 std::string lastOfRange(std::string_view first, std::string_view last);
 /// Nothing if the text names no such place, or its ends do not fit together.

@@ -51,7 +51,8 @@ class Lexer {
       while (at_ > start + 1 && text_[at_ - 1] == '.') --at_;
       return token(PropertyToken::Word, start);
     }
-    static constexpr std::string_view pairs[] = {"<>", "<=", ">=", "..", "==", "&&", "||", "->", "=>", "!=", "/="};
+    static constexpr std::string_view pairs[] = {"<>", "<=", ">=", "..", "==", "&&",
+                                                 "||", "->", "=>", "!=", "/=", "=<"};
     for (const std::string_view pair : pairs) {
       if (text_.substr(at_, 2) == pair) {
         at_ += 2;

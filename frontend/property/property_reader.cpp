@@ -60,6 +60,7 @@ class Parser {
     const Token head = peek();
     const std::string word = lower(head.text);
     if (word == "external") return external(set);
+    if (word == "reset") return resetDominant();
     if (word == "initial") {
       take();
       expect("retentive");
@@ -87,7 +88,7 @@ class Parser {
     } else {
       throw Mistake{
           syntaxRule, head.span,
-          fmt::format("a statement begins with assume, prove, reach, external, initial or pulse, not with '{}'",
+          fmt::format("a statement begins with assume, prove, reach, external, initial, pulse or reset, not with '{}'",
                       head.text),
           "write for example: prove no_shoot_through: never Q0.0 and Q0.1"};
     }
@@ -197,24 +198,23 @@ class Parser {
       range.span = head.span;
       range.first = range.last = address(take());
       if (accept("..")) range.last = address(take());
-      if (!areOfOneArea(range.first, range.last) || range.first.width != range.last.width) {
-        throw Mistake{typeRule, head.span, "both ends of a range need the same area (or data block) and width",
-                      "write for example: external VB100..VB199"};
-      }
-      if (!mayBeExternal(range.first.area)) {
-        throw Mistake{typeRule, head.span,
-                      fmt::format("{} cannot be external: only V, M, DB, S, SM and Q memory is written from outside",
-                                  toString(range.first)),
-                      "inputs have any value anyway; let the panel write V or M memory"};
-      }
-      const auto place = [](const Operand& o) { return o.offset * 8 + (o.width == Width::Bit ? o.bit : 0U); };
-      if (place(range.first) > place(range.last)) {
-        throw Mistake{
-            typeRule, head.span,
-            fmt::format("the range ends at {} before it begins at {}", toString(range.last), toString(range.first)),
-            "write the lower address first"};
-      }
+      if (const auto fault = faultOfRange(range.first, range.last))
+        throw Mistake{typeRule, head.span, fault->message, fault->help};
       set.externals.push_back(range);
+    } while (accept(","));
+    end();
+  }
+
+  void resetDominant() {  // rules read it in Program::directives, by address or symbol
+    take();
+    expect("dominant");
+    do {
+      const Token t = peek();
+      const Operand bit = address(take());
+      if (bit.width != Width::Bit || isInputArea(bit.area) || hasBitAndWord(bit.area))
+        throw Mistake{typeRule, t.span, "a bit that is set and reset is needed here", "write for example Q0.0, M0.1"};
+      if (step7::addressNamed(t.text) && lower(t.text) != lower(toString(bit)))
+        throw Mistake{addressRule, t.span, "an address is written here as findings write it", "write " + toString(bit)};
     } while (accept(","));
     end();
   }

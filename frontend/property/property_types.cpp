@@ -138,9 +138,10 @@ ExprNode arithmeticNode(const Expr& expr, ExprOp op, std::uint32_t left, std::ui
 }
 
 std::span<const std::string_view> propertyKeywords() {
-  static constexpr std::array<std::string_view, 23> words = {
-      "and",   "or",   "xor",    "implies", "always", "never", "leads",    "to",    "within",  "scan", "scans", "only",
-      "after", "held", "unless", "prove",   "assume", "reach", "external", "pulse", "initial", "at",   "every"};
+  static constexpr std::array<std::string_view, 25> words = {
+      "and",      "or",    "xor",     "implies", "always", "never",  "leads",   "to",     "within",
+      "scan",     "scans", "only",    "after",   "held",   "unless", "prove",   "assume", "reach",
+      "external", "pulse", "initial", "at",      "every",  "reset",  "dominant"};
   return words;
 }
 

@@ -14,7 +14,7 @@ bool maySayOfTheWorld(std::string_view line) {
     if (!isLetter && !word.empty()) break;
     if (!isLetter && c != ' ' && c != '\t') break;
   }
-  return word != "prove" && word != "reach" && word != "at";
+  return word != "prove" && word != "reach" && word != "at" && word != "reset";
 }
 
 }  // namespace rungproof

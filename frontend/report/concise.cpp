@@ -17,10 +17,11 @@ void write(const Report& report, const ReportStyle& style, std::ostream& out) {
   const Paint paint{style.color};
   for (const Finding& finding : report.findings) {
     const std::string head = fmt::format("{}[{}]", severityName(finding.severity), finding.rule);
-    out << fmt::format("{}: {} {}{}\n", messageText(placeText(*report.sources, finding.span)),
+    out << fmt::format("{}: {} {}{}{}\n", messageText(placeText(*report.sources, finding.span)),
                        finding.severity == Severity::Error ? paint.red(head) : paint.yellow(head),
                        messageText(finding.message),
-                       finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)" : "");
+                       finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)" : "",
+                       finding.trace.empty() ? std::string() : fmt::format(" ({})", messageText(finding.trace)));
   }
   for (const PropertyResult& property : report.properties) {
     const std::string place = property.span ? placeText(*report.sources, *property.span) + ": " : std::string();
@@ -36,6 +37,7 @@ void write(const Report& report, const ReportStyle& style, std::ostream& out) {
                          test.line != 0 ? fmt::format(":{}", test.line) : "", test.passed ? "passed" : "failed",
                          messageText(test.name), test.passed ? "" : ": " + messageText(testFailureText(test)));
   }
+  for (const std::string& line : report.coverage.leftOut) out << fmt::format("left out: {}\n", messageText(line));
   if (report.comparison && report.comparison->isOfPrograms())
     out << report.comparison->verdict << (report.comparison->equal ? "\n" : " ");
   if (report.comparison && !report.comparison->equal) out << messageText(differenceText(*report.comparison)) << '\n';

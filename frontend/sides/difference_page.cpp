@@ -89,6 +89,19 @@ class PictureSheet {
   int y_ = margin, width_ = 2 * (margin + least);
 };
 
+/// The run of the first difference: its table, and what drives the output in either program, lit.
+std::string firstRunOnPage(const Comparison& run) {
+  std::string text = fmt::format("<h2>First difference: {}</h2>\n", xmlText(differenceText(run)));
+  std::string table;
+  for (const std::string& note : run.notes) table += xmlText(note) + '\n';
+  text += fmt::format("<pre>{}</pre>\n<div class=pair>\n", table);
+  for (const ShownScan& scan : run.scans) {
+    for (const ShownNetwork& network : scan.networks)
+      text += fmt::format("<figure><figcaption>{}</figcaption>{}</figure>\n", xmlText(network.heading), network.svg);
+  }
+  return text + "</div>\n";
+}
+
 }  // namespace
 
 std::string differencePage(const Sides& sides, const ProgramDifference& difference, const DifferenceStyle& style) {
@@ -103,7 +116,8 @@ std::string differencePage(const Sides& sides, const ProgramDifference& differen
     page += fmt::format("<h2>{}</h2>\n<div class=pair>\n", xmlText(changeHeading(sides, change.networks)));
     for (const bool isOld : {true, false}) {
       const SizedSvg drawing = drawingOfSide(sides, change, isOld, style);
-      page += fmt::format("<figure><figcaption>{}</figcaption>{}</figure>\n", isOld ? "OLD" : "NEW",
+      page += fmt::format("<figure><figcaption>{}</figcaption>{}</figure>\n",
+                          xmlText(sideHeading(sides, change.networks, isOld)),
                           drawing.element.empty() ? "<span class=none>not there</span>" : drawing.element);
     }
     page += "</div>\n<ul>\n";
@@ -114,6 +128,7 @@ std::string differencePage(const Sides& sides, const ProgramDifference& differen
   }
   for (const std::string& note : difference.equivalence.notes)
     page += fmt::format("<p class=open>note: {}</p>\n", xmlText(note));
+  if (difference.first) page += firstRunOnPage(*difference.first);
   return page + "</body></html>\n";
 }
 

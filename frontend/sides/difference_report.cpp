@@ -176,7 +176,7 @@ std::string DifferenceReport::lastChange(const Trace& table, std::size_t inputs)
   return {};
 }
 
-void DifferenceReport::describe(Comparison& comparison, const std::string& form) const {
+void DifferenceReport::describe(Comparison& comparison, const std::string& form, int width) const {
   comparison.scan = static_cast<int>(std::min<std::uint64_t>(run_.scan, 1U << 30));
   comparison.timeMs = static_cast<double>(run_.milliseconds);
   comparison.signal = run_.signal;
@@ -218,7 +218,9 @@ void DifferenceReport::describe(Comparison& comparison, const std::string& form)
   if (form == "none") return;
   WitnessDrawingOptions drawing;
   drawing.form = form == "fbd" ? Form::Fbd : form == "stl" ? Form::Stl : Form::Ladder;
-  drawing.scans = 1;
+  drawing.lastScans = 1;
+  drawing.lastOnly = true;
+  drawing.width = width;
   drawing.svg = true;
   for (const bool isOld : {true, false}) {
     const Program& program = isOld ? *sides_.runBefore : *sides_.runAfter;

@@ -17,8 +17,9 @@ class DifferenceReport {
   DifferenceReport(const Sides& sides, const EquivalenceOptions& options, const EquivalenceRun& run)
       : sides_(sides), options_(options), run_(run) {}
 
-  /// Fills in scan, signal, values, the table and the drawings; `form`: ladder, fbd, stl or none.
-  void describe(Comparison& comparison, const std::string& form) const;
+  /// Fills in scan, signal, values, the table and the drawings; `form`: ladder, fbd, stl or none; `width`: of a drawing
+  /// in columns.
+  void describe(Comparison& comparison, const std::string& form, int width = 100) const;
   /// Inputs and outputs of the run. What only one program has, or has otherwise, stands under "old.Q0.0", "new.Q0.0".
   Trace trace() const;
   /// The run as a test that OLD passes and NEW does not.

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "frontend/cli/cli.hpp"
 #include "frontend/files/json.hpp"
 #include "frontend/text/excerpt.hpp"
+#include "frontend/text/safe_text.hpp"
 
 namespace rungproof {
 
@@ -36,7 +38,15 @@ const Network& networkOf(const Program& program, const NetworkRef& where) {
   return program.pous[where.pou].networks[where.network];
 }
 std::string networkPlace(const Program& program, const NetworkRef& where) {
-  return fmt::format("{}, Network {}", program.pous[where.pou].name, networkOf(program, where).number);
+  const Network& network = networkOf(program, where);
+  const std::string place = fmt::format("{}, Network {}", program.pous[where.pou].name, network.number);
+  return network.title.empty() ? place : fmt::format("{}  {}", place, network.title.view());
+}
+
+/// Where a text has it; nothing of a drawing that was read from no lines.
+const SourceFile* fileOf(const Program& program, const NetworkRef& where) {
+  const Span span = networkOf(program, where).span;
+  return span.file < program.sources->size() ? &program.sources->file(span.file) : nullptr;
 }
 
 std::vector<std::string> linesOf(const Program& program, const std::optional<NetworkRef>& where,
@@ -76,6 +86,15 @@ std::string changeHeading(const Sides& sides, const NetworkPair& pair) {
   return fmt::format("{} (before: {}): {}", after, before, changeWord(pair));
 }
 
+std::string sideHeading(const Sides& sides, const NetworkPair& pair, bool isOld) {
+  const std::string side = isOld ? "OLD" : "NEW";
+  const Program& program = isOld ? *sides.runBefore : *sides.runAfter;
+  const std::optional<NetworkRef>& where = isOld ? pair.before : pair.after;
+  if (!where || fileOf(program, *where) == nullptr) return side;
+  return fmt::format("{}  {}:{}", side, fileOf(program, *where)->name(),
+                     program.sources->position(networkOf(program, *where).span).line);
+}
+
 std::vector<InfluenceLine> influenceLines(const NetworkChange& change) {
   std::vector<InfluenceLine> lines;
   for (const Equality equality : {Equality::Different, Equality::Unknown, Equality::Equal}) {
@@ -104,6 +123,24 @@ std::string closingLine(const ProgramDifference& difference) {
   return text;
 }
 
+namespace {
+
+/// The run of the first difference: its table, and what drives the output in either program, lit by its last scan.
+std::string firstDifference(const Comparison& run, const Paint& paint) {
+  std::string text = fmt::format("\n{} {}\n", paint.red("first difference:"), messageText(differenceText(run)));
+  for (const std::string& note : run.notes) text += fmt::format("  {} {}\n", paint.blue("="), messageText(note));
+  for (const ShownScan& scan : run.scans) {
+    for (const ShownNetwork& network : scan.networks) {
+      if (network.text.empty()) continue;
+      text += fmt::format("  {}\n", messageText(network.heading));
+      for (const std::string& line : network.text) text += fmt::format("  {}\n", line);
+    }
+  }
+  return text + '\n';
+}
+
+}  // namespace
+
 std::string differenceText(const Sides& sides, const ProgramDifference& difference, const DifferenceStyle& style) {
   const Paint paint{style.color};
   std::string text;
@@ -113,14 +150,16 @@ std::string differenceText(const Sides& sides, const ProgramDifference& differen
     text += (text.empty() ? "" : "\n") + paint.bold(changeHeading(sides, change.networks)) + '\n';
     const std::vector<std::string> left = linesOf(*sides.runBefore, change.networks.before, style),
                                    right = linesOf(*sides.runAfter, change.networks.after, style);
-    std::size_t width = 3;
+    const std::array headings = {messageText(sideHeading(sides, change.networks, true)),
+                                 messageText(sideHeading(sides, change.networks, false))};
+    std::size_t width = textColumns(headings[0]);
     for (const std::string& line : left) width = std::max(width, textColumns(line));
     const auto row = [&](std::string_view a, std::string_view b) {
       std::string line = fmt::format("  {}{} | {}", a, std::string(width - std::min(width, textColumns(a)), ' '), b);
       line.erase(line.find_last_not_of(' ') + 1);
       text += line + '\n';
     };
-    row("OLD", "NEW");
+    row(headings[0], headings[1]);
     for (std::size_t i = 0; i < std::max(left.size(), right.size()); ++i)
       row(i < left.size() ? left[i] : "", i < right.size() ? right[i] : "");
     for (const InfluenceLine& line : influenceLines(change))
@@ -128,6 +167,7 @@ std::string differenceText(const Sides& sides, const ProgramDifference& differen
   }
   for (const std::string& note : difference.equivalence.notes)
     text += fmt::format("{}: {}\n", paint.yellow("note"), note);
+  if (difference.first) text += firstDifference(*difference.first, paint);
   return text;
 }
 
@@ -137,7 +177,13 @@ std::string differenceJson(const Sides& sides, const ProgramDifference& differen
   for (const NetworkChange& change : difference.changes) {
     const auto place = [](const Program& program, const std::optional<NetworkRef>& where) -> Json {
       if (!where) return nullptr;
-      return {{"pou", program.pous[where->pou].name}, {"network", networkOf(program, *where).number}};
+      const Network& network = networkOf(program, *where);
+      const SourceFile* file = fileOf(program, *where);
+      return {{"pou", program.pous[where->pou].name},
+              {"network", network.number},
+              {"title", network.title.view()},
+              {"file", file != nullptr ? Json(file->name()) : Json()},
+              {"line", file != nullptr ? Json(program.sources->position(network.span).line) : Json()}};
     };
     Json outputs = Json::array();
     for (const InfluencedOutput& output : change.outputs)
@@ -151,6 +197,13 @@ std::string differenceJson(const Sides& sides, const ProgramDifference& differen
   json["verdicts"] = Json::array();
   for (const VerdictChange& verdict : difference.verdicts)
     json["verdicts"].push_back({{"name", verdict.name}, {"old", verdict.before}, {"new", verdict.after}});
+  json["first_difference"] = nullptr;
+  if (const auto& run = difference.first)
+    json["first_difference"] = {{"scan", run->scan},
+                                {"time_ms", run->timeMs},
+                                {"signal", run->signal},
+                                {"old", run->expected},
+                                {"new", run->actual}};
   json["summary"] = {{"changed", difference.changes.size()},
                      {"different", difference.countOf(Equality::Different)},
                      {"equal", difference.countOf(Equality::Equal)},

@@ -22,8 +22,10 @@ std::string differenceJson(const Sides& sides, const ProgramDifference& differen
 /// "2 networks changed, 1 output can differ".
 std::string closingLine(const ProgramDifference& difference);
 
-/// "MAIN, Network 2: changed".
+/// "MAIN, Network 2  Lamp: changed".
 std::string changeHeading(const Sides& sides, const NetworkPair& pair);
+/// "OLD  press.awl:12".
+std::string sideHeading(const Sides& sides, const NetworkPair& pair, bool isOld);
 /// A network as wide as half a page.
 NetworkView changedView(const Program& program, const NetworkRef& where, const DifferenceStyle& style);
 /// What a change can influence; of outputs with their verdict.

@@ -7,6 +7,7 @@
 
 #include "analysis/unread/influence.hpp"
 #include "engine/trace.hpp"
+#include "frontend/sides/difference_report.hpp"
 #include "ir/iec/variables.hpp"
 
 namespace rungproof {
@@ -118,7 +119,8 @@ std::size_t ProgramDifference::countOf(Equality equality) const {
   return static_cast<std::size_t>(std::ranges::count(equivalence.outputs, equality, &ObservedVerdict::equality));
 }
 
-ProgramDifference differenceOf(const Sides& sides, const EquivalenceOptions& given) {
+ProgramDifference differenceOf(const Sides& sides, const EquivalenceOptions& given, const std::string& form,
+                               int width) {
   ProgramDifference difference;
   EquivalenceOptions options = given;
   options.everyOutput = true;
@@ -133,6 +135,12 @@ ProgramDifference differenceOf(const Sides& sides, const EquivalenceOptions& giv
     if (pair.after) ofAfter.add(change, *pair.after, difference.equivalence.outputs);
   }
   difference.verdicts = changedVerdicts(sides, options.prover);
+  if (difference.equivalence.run) {
+    difference.first.emplace();
+    difference.first->equal = false;
+    difference.first->verdict = "DIFFERENT";
+    DifferenceReport(sides, options, *difference.equivalence.run).describe(*difference.first, form, width);
+  }
   if (difference.changes.empty()) return difference;
   const auto leaveOpen = [&](std::string reason) {
     difference.equivalence.notes.push_back(std::move(reason));

@@ -2,10 +2,12 @@
 // because of it, and which declared properties have another verdict. Tested by tests/equivalence.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/equivalence/equivalence.hpp"
+#include "frontend/report.hpp"
 #include "frontend/sides/sides.hpp"
 
 namespace rungproof {
@@ -33,10 +35,13 @@ struct VerdictChange {
 struct ProgramDifference {
   std::vector<NetworkChange> changes;
   std::vector<VerdictChange> verdicts;
-  Equivalence equivalence;  ///< every observed output has its verdict
+  Equivalence equivalence;          ///< every observed output has its verdict
+  std::optional<Comparison> first;  ///< the run of the first difference, lit in both programs
   std::size_t countOf(Equality equality) const;
 };
 
-ProgramDifference differenceOf(const Sides& sides, const EquivalenceOptions& options);
+/// `form`: how the run of the first difference is drawn; `width`: columns of its drawings.
+ProgramDifference differenceOf(const Sides& sides, const EquivalenceOptions& options, const std::string& form,
+                               int width);
 
 }  // namespace rungproof

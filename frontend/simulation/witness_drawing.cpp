@@ -16,6 +16,7 @@ namespace rungproof {
 namespace {
 
 constexpr std::size_t networksOnPage = 8;
+constexpr std::size_t mostChanges = 4;  ///< scans with a change that are drawn as text
 
 /// A stretch of bits of an area, or of numbers of T and C.
 struct Cells {
@@ -81,6 +82,23 @@ std::vector<Cells> cellsOfProperty(const ProofResult& result) {
   return cells;
 }
 
+/// What the property, or the question of a rule, speaks of beside inputs.
+std::vector<Operand> askedOperands(const ProofResult& result) {
+  std::vector<Operand> asked;
+  const auto add = [&](const Operand& o) {
+    if (o.kind == OperandKind::Direct && lastsOverScans(o.area) && !isInputArea(o.area)) asked.push_back(o);
+  };
+  for (const Expr* expr : {&result.property.first, &result.property.second}) {
+    for (const ExprNode& node : expr->nodes) {
+      if (node.op == ExprOp::Address) add(node.operand);
+    }
+  }
+  if (result.builtin) {
+    for (const Operand& operand : result.builtin->operands()) add(operand);
+  }
+  return asked;
+}
+
 }  // namespace
 
 std::vector<std::pair<const Pou*, const Network*>> networksThatMatter(const Program& program,
@@ -114,6 +132,29 @@ std::vector<std::pair<const Pou*, const Network*>> networksThatMatter(const Prog
   return chosen;
 }
 
+std::set<std::uint64_t> scansThatMatter(const Program& program, const Choices& choices, const ProofResult& result) {
+  if (!result.witness) return {};
+  const Witness& witness = *result.witness;
+  std::vector<TraceSignal> asked;
+  for (const Operand& operand : askedOperands(result)) asked.push_back(signalOf(program, operand));
+  std::vector<std::uint64_t> changes;
+  if (!asked.empty()) {
+    std::vector<std::optional<TraceNumber>> before;
+    std::uint64_t scan = 0;
+    replay(program, choices, witness.scans, witness.initial ? &*witness.initial : nullptr,
+           [&](const Concrete::Store& state, std::size_t) {
+             std::vector<std::optional<TraceNumber>> now = sampleValues(state, asked);
+             if (++scan > 1 && now != before) changes.push_back(scan);
+             before = std::move(now);
+             return true;
+           });
+  }
+  const std::size_t passed = changes.size() > mostChanges ? changes.size() - mostChanges : 0;
+  std::set<std::uint64_t> scans(changes.begin() + static_cast<std::ptrdiff_t>(passed), changes.end());
+  scans.insert({1, witness.scanCount});
+  return scans;
+}
+
 std::vector<ShownScan> shownScans(const Program& program, const Choices& choices, const ProofResult& result,
                                   const WitnessDrawingOptions& options) {
   std::vector<ShownScan> shown;
@@ -121,17 +162,24 @@ std::vector<ShownScan> shownScans(const Program& program, const Choices& choices
   const Witness& witness = *result.witness;
   const std::vector<std::pair<const Pou*, const Network*>> networks = networksThatMatter(program, result);
   InstructionRecorder recorder(program.instructionCount());
-  const std::uint64_t skipped = witness.scanCount > options.scans ? witness.scanCount - options.scans : 0;
+  const std::uint64_t skipped = witness.scanCount > options.lastScans ? witness.scanCount - options.lastScans : 0;
+  const std::set<std::uint64_t> inText = !options.text      ? std::set<std::uint64_t>()
+                                         : options.lastOnly ? std::set{witness.scanCount}
+                                                            : scansThatMatter(program, choices, result);
+  const auto isShown = [&](std::uint64_t number) {
+    return inText.contains(number) || (options.svg && number > skipped);
+  };
   std::uint64_t scan = 0, timeMs = 0;
-  recorder.beginScan(skipped == 0);
+  recorder.beginScan(isShown(1));
   ViewOptions view;
   view.form = options.form;
+  view.width = options.width;
   view.recorder = &recorder;
   replay(
       program, choices, witness.scans, witness.initial ? &*witness.initial : nullptr,
       [&](const Concrete::Store&, std::size_t at) {
         timeMs += witness.scans[at].lengthMs;
-        if (++scan > skipped) {
+        if (isShown(++scan)) {
           ShownScan& now = shown.emplace_back(ShownScan{scan, static_cast<double>(timeMs), {}});
           for (const auto& [pou, network] : networks) {
             if (options.asRead) view.form = formAsRead(*network);
@@ -139,10 +187,10 @@ std::vector<ShownScan> shownScans(const Program& program, const Choices& choices
             ShownNetwork& drawn =
                 now.networks.emplace_back(ShownNetwork{fmt::format("{}, {}", pou->name, picture.heading), {}, {}});
             if (options.svg) drawn.svg = pictureSvg(picture);
-            if (options.text) drawn.text = contentLines(picture, {});
+            if (inText.contains(scan)) drawn.text = contentLines(picture, {});
           }
         }
-        recorder.beginScan(scan >= skipped);
+        recorder.beginScan(isShown(scan + 1));
         return true;
       },
       &recorder);

@@ -4,11 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <system_error>
 
 #include "engine/device_end.hpp"
+#include "engine/platform/names.hpp"
+#include "frontend/command.hpp"
 #include "frontend/simulation/event_place.hpp"
+#include "frontend/simulation/given_columns.hpp"
 #include "frontend/simulation/library_columns.hpp"
+#include "frontend/trace_format.hpp"
 #include "ir/iec/cpu.hpp"
 #include "ir/iec/variables.hpp"
 #include "ir/s7300/clock_memory.hpp"
@@ -203,6 +211,45 @@ std::vector<std::string> tableOf(const Trace& trace, std::size_t rows) {
     lines.push_back(std::move(line));
   }
   return lines;
+}
+
+std::string EvidenceNames::of(std::string_view name) {
+  std::string stem;
+  for (const char c : name) stem += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.' ? c : '_';
+  if (stem.empty()) stem = "property";
+  const std::string plain = stem;
+  for (int i = 2; !given_.insert(stem).second; ++i) stem = fmt::format("{}_{}", plain, i);
+  return stem;
+}
+
+std::string evidenceFile(const std::string& folder, const std::string& name) {
+  std::error_code error;  // a folder that cannot be made shows when the file is written
+  std::filesystem::create_directories(folder, error);
+  return pathName(std::filesystem::path(folder) / name);
+}
+
+std::string writeRun(const Context& context, const std::string& folder, const std::string& stem, const Program& program,
+                     const Choices& choices, const ProofResult& result, std::vector<std::string>& notes) {
+  std::vector<TraceSignal> signals = touchedSignals(program);
+  for (TraceSignal& signal : signalsThatMatter(program, result)) {  // what only the property names
+    if (std::ranges::find(signals, signal.name, &TraceSignal::name) == signals.end())
+      signals.push_back(std::move(signal));
+  }
+  Trace trace = traceOf(program, choices, *result.witness, signals);
+  addGiven(program, choices, *result.witness, trace);
+  if (trace.rows.size() < result.witness->scanCount)
+    notes.push_back(
+        fmt::format("the trace holds the last {} of {} scans: 'rungproof sim' cannot repeat the run from it",
+                    trace.rows.size(), result.witness->scanCount));
+  std::string first;
+  for (const char* ending : {".csv", ".vcd", ".svg"}) {
+    const std::string name = evidenceFile(folder, stem + ending);
+    std::ostringstream text;
+    traceFormatOf(name)->write(trace, result.property.name, text);
+    if (!context.write({ending + 1, name}, text.str())) continue;
+    if (first.empty()) first = name;
+  }
+  return first;
 }
 
 }  // namespace rungproof

@@ -51,14 +51,22 @@ const EditionModel& editionModel(Edition edition) {
 Target::Target() : Target(all[0]->usual) {}
 
 std::optional<Cpu> cpuNamed(std::string_view name) {
-  if (name.size() > 3 && (name.starts_with("CPU") || name.starts_with("cpu"))) {
-    name.remove_prefix(3);
-    name.remove_prefix(std::min(name.find_first_not_of(' '), name.size()));
-  }
   const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  if (name.size() > 3 && std::ranges::equal(name.substr(0, 3), std::string_view("cpu"), {}, small)) {
+    name.remove_prefix(3);
+    name.remove_prefix(std::min(name.find_first_not_of(" -_"), name.size()));
+  }
   const CpuModel* row =
       found(&Dialect::cpus, [&](const CpuModel& r) { return std::ranges::equal(r.name, name, {}, small, small); });
-  return row != nullptr ? std::optional(row->cpu) : std::nullopt;
+  if (row != nullptr) return row->cpu;
+  // What stands behind the model on the device says how it is fed and what its outputs are, or where it is sold.
+  const std::size_t blank = name.find_last_of(' ');
+  if (blank == std::string_view::npos) return std::nullopt;
+  const auto behind =
+      std::to_array<std::string_view>({"cn", "dp", "dc/dc/dc", "dc/dc/rly", "dc/dc/relay", "ac/dc/rly", "ac/dc/relay"});
+  const bool isModelBefore = std::ranges::any_of(
+      behind, [&](std::string_view word) { return std::ranges::equal(word, name.substr(blank + 1), {}, {}, small); });
+  return isModelBefore ? cpuNamed(name.substr(0, blank)) : std::nullopt;
 }
 
 std::string_view cpuName(Cpu cpu) {

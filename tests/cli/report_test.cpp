@@ -336,5 +336,43 @@ TEST(Report, EachFormatNamesTheProgramsThatDiffer) {
   }
 }
 
+TEST(ConciseReport, TellsWhatStaysOpen) {
+  Report report = reportWith({});
+  report.coverage.leftOut = {"OUT003: 1 of 2 questions to the prover are open"};
+  EXPECT_EQ(written("concise", report), "left out: OUT003: 1 of 2 questions to the prover are open\n");
+}
+
+/// lint --prove --traces: the finding names the file of its run, and sim repeats the run from it. The set in front of
+/// the reset loses in the scan in which both inputs are on.
+TEST(LintTraces, TheRunOfAConfirmedFindingIsWritten) {
+  const test::TemporaryFolder folder;
+  const std::string program =
+      folder.file("latch.awl", test::mainBlock("Network 1\nLD I0.1\nR Q0.0, 1\nNetwork 2\nLD I0.0\nS Q0.0, 1\n"));
+  const test::ProgramRun result = test::run(
+      {"lint", "--prove", "--select", "OUT003", "--traces", folder.path("runs"), program, "--format", "json"});
+  const nlohmann::json json = nlohmann::json::parse(result.out);
+  ASSERT_EQ(json["findings"].size(), 1U) << result.out;
+  ASSERT_TRUE(json["findings"][0]["trace"].is_string());
+  const std::string trace = json["findings"][0]["trace"];
+  EXPECT_NE(trace.find("OUT003"), std::string::npos);
+  EXPECT_NE(test::contentOf(trace).find("I0.0"), std::string::npos);
+  EXPECT_EQ(test::run({"sim", program, "--stimulus", trace, "--expect", trace}).exit, 0);
+  EXPECT_EQ(test::run({"lint", "--traces", folder.path("runs"), program}).exit, 2) << "without --prove";
+}
+
+/// On a terminal the progress of a proof says what was proved, how, how deep and how long it took.
+TEST(Progress, NamesPropertyMethodDepthAndSeconds) {
+  const test::TemporaryFolder folder;
+  const std::string program =
+      folder.file("p.awl",
+                  "ORGANIZATION_BLOCK MAIN:OB1\n//@ prove never on: never Q0.0\nBEGIN\nNetwork 1\nLD I0.0\n= Q0.0\n"
+                  "END_ORGANIZATION_BLOCK\n");
+  std::istringstream in;
+  std::ostringstream out, err;
+  EXPECT_EQ(runProgram({"prove", program}, {in, out, err, false, true}), 1);
+  EXPECT_NE(err.str().find("prove: 1 of 1: VIOLATED never on by "), std::string::npos) << err.str();
+  EXPECT_NE(err.str().find(", depth 1 in "), std::string::npos) << err.str();
+}
+
 }  // namespace
 }  // namespace rungproof

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "tests/equivalence/pair.hpp"
+#include "tests/program_run.hpp"
 
 namespace rungproof::test {
 
@@ -44,6 +45,26 @@ TEST(NetworkMatch, ANetworkThatDrivesTheSameCoilIsItsSuccessor) {
   ASSERT_EQ(match.networks.size(), 2U);
   EXPECT_EQ(match.networks[0].before->network, 1U);
   EXPECT_EQ(match.networks[1].before->network, 0U);
+}
+
+/// The changed network shares more contacts with another one; what it drives decides.
+TEST(NetworkMatch, WhatANetworkDrivesCountsMoreThanItsContacts) {
+  const ProgramMatch match =
+      matchPrograms(readLine("LD I0.0;A I0.1;A I0.2;= Q0.0|LD I0.3;A I0.4;= Q0.1"),
+                    readLine("LD I0.0;A I0.1;A I0.3;A I0.4;= Q0.1|LD I0.0;A I0.1;A I0.5;= Q0.0"));
+  ASSERT_EQ(match.networks.size(), 2U);
+  EXPECT_EQ(match.networks[0].before->network, 1U);
+  EXPECT_EQ(match.networks[1].before->network, 0U);
+}
+
+/// Rewritten from the first contact to another coil: the title alone says that it is the same network.
+TEST(NetworkMatch, ATitleFindsARewrittenNetwork) {
+  const auto titled = [](const std::string& title, const std::string& text) {
+    return pairSide("p.awl", mainBlock("Network 1 // " + title + "\n" + text), "").program;
+  };
+  const Program before = titled("Lamp", "LD I0.0\n= Q0.0\n");
+  EXPECT_EQ(matchPrograms(before, titled("Lamp", "LDN I0.5\n= Q0.1\n")).networks.size(), 1U);
+  EXPECT_EQ(matchPrograms(before, titled("Horn", "LDN I0.5\n= Q0.1\n")).networks.size(), 2U);
 }
 
 TEST(NetworkMatch, AWordOperationIsAResultThoughItsNameBeginsLikeAContact) {

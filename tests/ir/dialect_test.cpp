@@ -38,6 +38,12 @@ TEST(Dialect, EveryCpuBelongsToOneDialectAndHasOneName) {
   EXPECT_EQ(cpuNamed("st60"), cpuNamed("ST60")) << "in any case of letters";
   EXPECT_EQ(cpuNamed("CPU 224"), cpuNamed("224"));
   EXPECT_EQ(cpuNamed("cpu315-2"), cpuNamed("315-2"));
+  EXPECT_EQ(cpuNamed("Cpu-224xp"), cpuNamed("224XP"));
+  // What is printed on the devices (001:11612-11622) and on their boxes.
+  EXPECT_EQ(cpuNamed("CPU 224 DC/DC/DC"), cpuNamed("224"));
+  EXPECT_EQ(cpuNamed("CPU 224XP CN AC/DC/Relay"), cpuNamed("224XP"));
+  EXPECT_EQ(cpuNamed("CPU 315-2 DP"), cpuNamed("315-2"));
+  EXPECT_FALSE(cpuNamed("CPU 224 turbo")) << "a word that is not known may name another model";
   EXPECT_FALSE(cpuNamed("CPU"));
   EXPECT_FALSE(cpuNamed("999"));
 }

@@ -177,6 +177,38 @@ TEST(Page, TellsRequirementsChoicesOptionsAndCertificates) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
 }
 
+/// A program of contacts and coils depends on no open point; one with an edge, on what an edge sees first (001:2763).
+TEST(Page, NamesTheChoicesThatAVerdictDependsOn) {
+  const TemporaryFolder folder;
+  const auto pageWith = [&](const std::string& contacts) {
+    return pageOf({"prove", folder.file("p.awl",
+                                        "ORGANIZATION_BLOCK MAIN:OB1\n//@ prove p: not Q0.0 or not Q0.1\nBEGIN\n"
+                                        "Network 1\nLD I0.0\n" +
+                                            contacts +
+                                            "AN Q0.1\n= Q0.0\nNetwork 2\nLD I0.1\nAN Q0.0\n= Q0.1\n"
+                                            "END_ORGANIZATION_BLOCK\n")});
+  };
+  const auto choicesIn = [](const std::string& page) {
+    const std::size_t begin = page.find("id=\"Choices-in-force\"");
+    return page.substr(begin, page.find("<h2", begin) - begin);
+  };
+  const std::string plain = choicesIn(pageWith(""));
+  EXPECT_EQ(countIn(plain, "<tr>"), 0u) << plain;
+  EXPECT_NE(plain.find("No verdict depends on one."), std::string::npos);
+  const std::string all = pageOf({"prove", corpusFile("interlocks/star_delta.awl")});
+  for (const char* foreign : {"s5-time", "iec-div-zero", "hot-restart"})
+    EXPECT_EQ(choicesIn(all).find(foreign), std::string::npos) << foreign;
+}
+
+/// What every verdict assumes stands before the verdicts, once.
+TEST(Page, BeginsWithTheAssumptions) {
+  const std::string page = pageOf({"prove", corpusFile("interlocks/reversing.awl")});
+  const std::size_t assumed = page.find("assumes: CPU "), verdicts = page.find("id=\"Verdicts\"");
+  ASSERT_NE(assumed, std::string::npos);
+  EXPECT_LT(assumed, verdicts);
+  EXPECT_EQ(countIn(page, "assumes: CPU "), 1u);
+}
+
 TEST(Page, SaysWhatLintFindsWithoutChangingTheExitCode) {
   const TemporaryFolder folder;
   const std::string program =

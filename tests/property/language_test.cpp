@@ -184,6 +184,17 @@ pulse I0.0 at most every 50ms
   EXPECT_TRUE(reading.set.initialRetentive);
 }
 
+TEST(PropertyLanguage, BitsAreStatedToBeResetDominant) {
+  Reading reading("reset dominant Q0.0, M1.2\n");
+  ASSERT_TRUE(reading.findings.empty()) << reading.findings[0].message;
+  for (const char* wrong : {"reset dominant VW10", "reset dominant I0.0", "reset dominant T37", "reset dominant",
+                            "reset Q0.0", "reset dominant Q0.0 Q0.1"}) {
+    Reading mistaken(wrong);
+    EXPECT_EQ(mistaken.findings.size(), 1U) << wrong;
+    EXPECT_TRUE(mistaken.set.unread.empty()) << "it says nothing of the world: " << wrong;
+  }
+}
+
 TEST(PropertyLanguage, MistakesHaveAPlaceAndTheRestIsRead) {
   Reading reading(
       "prove a: Q0.0 and\nprove b: Zork implies Q0.0\nprove c: VW0 and Q0.0\nprove d: Q0.0\nprove d: "

@@ -235,6 +235,40 @@ TEST(Conflict, SeveralResetsOfOneBitKeepTheirPlaces) {
   EXPECT_EQ(of("OUT003", findings), (Found{"Q0.0", "Q0.0"}));
 }
 
+/// "severity address" of what OUT003 says.
+Found severities(const std::string& networks, const std::string& properties = "", const std::string& blocks = "") {
+  Found found;
+  for (const Finding& finding : findingsOf(networks, blocks, properties)) {
+    if (finding.rule == "OUT003") found.insert(fmt::format("{} {}", severityName(finding.severity), finding.address));
+  }
+  return found;
+}
+
+/// A reset that comes last switches off whatever sets the bit: reset dominant, the safe order. A set that comes last
+/// keeps the bit on against its reset.
+TEST(Conflict, AResetThatComesLastIsANote) {
+  const std::string set = "Network 1\nLD I0.0\nS Q0.0, 1\n", reset = "Network 2\nLD I0.1\nR Q0.0, 1\n",
+                    coil = "Network 3\nLD I0.2\n= Q0.0\n";
+  EXPECT_EQ(severities(set + reset), Found{"note Q0.0"});
+  EXPECT_EQ(severities(reset + set), Found{"warning Q0.0"});
+  EXPECT_EQ(severities(coil + reset), Found{"note Q0.0"});
+  EXPECT_EQ(severities(reset + coil), Found{"warning Q0.0"});
+  // An interrupt comes anywhere in a scan: its reset need not be the last word.
+  const std::string attach = "Network 5\nLD SM0.1\nATCH 0, 0\nENI\n",
+                    interrupt =
+                        "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nR Q0.0, 1\nEND_INTERRUPT_BLOCK\n";
+  for (const std::string& said : severities(set + attach, "", interrupt)) EXPECT_EQ(said, "warning Q0.0");
+}
+
+/// Stated: a reset that comes last says nothing any more; a set that comes last contradicts the statement. Other bits
+/// are not meant.
+TEST(Conflict, ResetDominantCanBeStated) {
+  const std::string set = "Network 1\nLD I0.0\nS Q0.0, 2\n", reset = "Network 2\nLD I0.1\nR Q0.0, 2\n";
+  EXPECT_EQ(severities(set + reset, "//@ reset dominant Q0.0, Q0.1\n"), Found());
+  EXPECT_EQ(severities(set + reset, "//@ reset dominant Q0.0\n"), Found{"note Q0.1"});
+  EXPECT_EQ(severities(reset + set, "//@ reset dominant Q0.0, Q0.1\n"), Found{"warning Q0.0"});
+}
+
 TEST(Conflict, ASwitchOffBehindTheCoilsIsMeant) {
   const std::string coils = "Network 1\nLD I0.0\n= Q0.1\nNetwork 2\nLD I0.1\n= Q0.2\n",
                     off = "Network 3\nLDN I1.0\nR Q0.0, 8\n";

@@ -26,7 +26,8 @@ std::multiset<std::string> provedFindings(const std::string& statements, const s
 using Said = std::multiset<std::string>;
 
 TEST(Step7SolverRules, SetAndResetInOneScan) {
-  EXPECT_EQ(provedFindings("A I 0.0;\nS Q 0.0;\nA I 0.1;\nR Q 0.0;"), Said{"OUT003 Q0.0"});
+  EXPECT_EQ(provedFindings("A I 0.0;\nR Q 0.0;\nA I 0.1;\nS Q 0.0;"), Said{"OUT003 Q0.0"});
+  EXPECT_EQ(provedFindings("A I 0.0;\nS Q 0.0;\nA I 0.1;\nR Q 0.0;"), Said()) << "reset dominant: a note";
   EXPECT_EQ(provedFindings("A I 0.0;\nAN I 0.1;\nS Q 0.0;\nA I 0.1;\nR Q 0.0;"), Said());
 }
 

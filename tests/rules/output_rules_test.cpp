@@ -1,4 +1,5 @@
 // Rules OUT and LOG on cases that their examples do not show. Lines are those of the text, from 1.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/rules/lint.hpp"
@@ -199,6 +200,30 @@ TEST(OutputRules, SeveralBlocksThatDoTheSame) {
   EXPECT_EQ(of("RI Q0.0, 1", "R Q0.0, 1"), 0u);
   EXPECT_EQ(of("S Q0.0, 1", "R Q0.0, 1"), 1u);
   EXPECT_EQ(of("R Q0.0, 1", "= Q0.0"), 1u);
+}
+
+/// A chain of three steps, each with coils: one finding that names all three. One step alone keeps its own words, and
+/// coils behind a jump are a finding of their own.
+TEST(OutputRules, StepsOfAChainAreOneFinding) {
+  const auto step = [](int number, const std::string& coils) {
+    return fmt::format(
+        "Network {0}\nLSCR S0.{0}\nNetwork {0}1\nLD SM0.0\n{1}Network {0}2\nLD I0.{0}\nSCRT S0.{2}\nNetwork "
+        "{0}3\nSCRE\n",
+        number, coils, (number + 1) % 3);
+  };
+  const std::string chain = step(0, "= Q0.0\n") + step(1, "= Q0.1\n= Q1.1\n") + step(2, "= Q0.2\n");
+  const Linted three(chain);
+  ASSERT_EQ(three.of("OUT007").size(), 1U);
+  const Finding finding = three.of("OUT007")[0];
+  EXPECT_EQ(std::string(finding.message.view()),
+            "the coils of 3 steps keep their last value while their step is not active: Q0.0 in LSCR S0.0, Q0.1 in "
+            "LSCR S0.1 and 1 more, Q0.2 in LSCR S0.2");
+  EXPECT_EQ(finding.related.size(), 3U);
+  EXPECT_EQ(Linted(step(0, "= Q0.0\n")).of("OUT007").size(), 1U);
+  EXPECT_EQ(Linted(chain + "Network 40\nLD I1.0\nJMP 1\nNetwork 41\nLD I1.1\n= Q1.5\nNetwork 42\nLBL 1\n")
+                .of("OUT007")
+                .size(),
+            2U);
 }
 
 }  // namespace

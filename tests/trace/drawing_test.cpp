@@ -171,6 +171,23 @@ TEST(SvgTrace, IsXmlWithALaneForEachSignal) {
     EXPECT_NE(texts.find(label), std::string::npos) << label << " in " << texts;
 }
 
+/// Below the numbers of the scans stands when they begin, and at the end when the last one ends: the first takes 10 ms,
+/// the second 10.5 ms, the third 10 ms. A recording by time has its own times only.
+TEST(SvgTrace, HasAnAxisOfTime) {
+  const auto axisOf = [](const Trace& trace) {
+    pugi::xml_document document;
+    EXPECT_TRUE(document.load_string(timingDiagram(trace, "").c_str()));
+    std::string texts;
+    for (const pugi::xpath_node& node : document.select_nodes("//*[@class='a']"))
+      texts += std::string(node.node().text().get()) + " ";
+    return texts;
+  };
+  Trace trace = sampleTrace();
+  EXPECT_EQ(axisOf(trace), "1 0 2 10 3 20.5 30.5 ");
+  trace.isByTime = true;
+  EXPECT_EQ(axisOf(trace), "10 20.5 30.5 ");
+}
+
 TEST(SvgTrace, LongTracesKeepToALimit) {
   Trace trace = sampleTrace();
   const TraceRow last = trace.rows.back();
