@@ -286,7 +286,13 @@ void SclLowering::improve(const Operand& best, SclValue next, Kind kind, bool is
   mark(done);
 }
 
+/// MIN, MAX and MUX have IN1 to IN32 and IN0 to IN31.
+constexpr std::size_t mostAlternatives = 32;
+
 SclValue SclLowering::extreme(const iec::Expr& expr, bool isMost) {
+  if (expr.arguments.size() > mostAlternatives)
+    refuse(expr.span, fmt::format("{} takes at most {} values", isMost ? "MAX" : "MIN", mostAlternatives),
+           Syntax::CallList);
   std::vector<SclValue> values;
   for (const iec::Argument& given : expr.arguments) {
     if (given.value == nullptr || given.isOutput) refuse(given.span, "a value is needed here", Syntax::SclText);
@@ -374,6 +380,8 @@ SclValue SclLowering::select(const iec::Expr& expr) {
 /// K beyond the values: what comes out is not stated. A hazard says it.
 SclValue SclLowering::multiplex(const iec::Expr& expr) {
   if (expr.arguments.size() < 3) refuse(expr.span, "MUX takes a number and two values or more", Syntax::CallList);
+  if (expr.arguments.size() > mostAlternatives + 1)
+    refuse(expr.span, fmt::format("MUX takes at most {} values", mostAlternatives), Syntax::CallList);
   SclValue chooser = valueAs(input(expr, "K", 0), Kind::Int);
   if (!chooser.isPlain) chooser = inTemporary(chooser);
   std::vector<SclValue> values;

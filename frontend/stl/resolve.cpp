@@ -131,7 +131,10 @@ class Resolver {
   }
 
   bool resolveRoutine(Operand& operand, Type type) {
-    if (operand.kind == OperandKind::Text) operand.kind = OperandKind::Symbol;  // a quoted name
+    if (operand.kind == OperandKind::Text) {
+      operand.text = quotedName(operand);
+      operand.kind = OperandKind::Symbol;
+    }
     if (operand.kind != OperandKind::Symbol) return true;
     operand.value = -1;
     const NameIndex<int>& routines = type == Type::Interrupt ? interrupts_ : subroutines_;
@@ -160,11 +163,25 @@ class Resolver {
     return *block.number;
   }
 
+  /// The name as it is written between its marks. As a text for the controller it has one byte for a letter.
+  std::string quotedName(const Operand& operand) const {
+    std::string_view text = program_.sources->text(operand.span);
+    const Quote open = text.empty() ? Quote{} : quoteAt(text, 0);
+    if (open.length == 0) return operand.text;
+    text.remove_prefix(open.length);
+    std::size_t end = 0;
+    while (end < text.size() && quoteAt(text, end).kind != open.kind) ++end;
+    return std::string(text.substr(0, end));
+  }
+
   /// "name" where no text is expected: a quoted symbol. A parameter of CALL may be either.
   bool resolveQuoted(Operand& operand, const OperandDesc& expected) {
     Operand place;
-    if (!operand.text.empty() && lookUp(operand.text, place)) return replace(operand, place, '\0');
-    if (expected.type == Type::Parameter || !isName(operand.text)) return true;
+    std::string name = quotedName(operand);
+    const bool isKnown = !name.empty() && lookUp(name, place);
+    if (!isKnown && (expected.type == Type::Parameter || !isName(name))) return true;
+    operand.text = std::move(name);
+    if (isKnown) return replace(operand, place, '\0');
     operand.kind = OperandKind::Symbol;
     operand.value = -1;
     return true;

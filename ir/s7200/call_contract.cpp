@@ -5,6 +5,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 
 namespace rungproof {
 
@@ -322,11 +323,20 @@ class ContractBuilder {
 }  // namespace
 
 CallContracts::CallContracts(const Program& program) {
+  std::unordered_set<std::int64_t> met, withText;  // numbers of blocks
+  for (const Pou& pou : program.pous) {
+    if (pou.kind == PouKind::Subroutine && met.insert(pou.number).second && !pou.protectedBlock)
+      withText.insert(pou.number);
+  }
+  const auto hasText = [&](const Instruction& one) {
+    return !one.operands.empty() && one.operands[0].kind == OperandKind::Constant &&
+           withText.contains(one.operands[0].value);
+  };
   std::optional<TouchedBytes> touched;
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) {
-        if (!isMissing(instruction, program)) continue;
+        if (hasText(instruction) || !isMissing(instruction, program)) continue;
         CallContract contract = ContractBuilder(program, instruction).take();
         if (!contract.memory.empty() && !touched) touched.emplace(program);
         for (const MemoryRow& row : contract.memory) touched->part(row, contract.touched);

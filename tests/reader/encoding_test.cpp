@@ -108,6 +108,23 @@ TEST(EncodingTest, TextsKeepTheBytesOfTheController) {
   EXPECT_EQ(encodeForController(chineseUtf8, TextEncoding::Cp1252), chineseUtf8);  // not in that code page
 }
 
+TEST(EncodingTest, QuotedNamesAreFoundInEveryCodePage) {
+  const std::string block = "ORGANIZATION_BLOCK MAIN:OB1\r\nBEGIN\r\nNetwork 1\r\nLD \"";
+  const auto programOf = [&](const std::string& name) {
+    return block + name + "\"\r\n= Q0.0\r\nCALL \"" + name + "2\"\r\nEND_ORGANIZATION_BLOCK\r\nSUBROUTINE_BLOCK " +
+           name + "2:SBR3\r\nBEGIN\r\nNetwork 1\r\nLD SM0.0\r\n= Q0.1\r\nEND_SUBROUTINE_BLOCK\r\nSYMBOL_TABLE\r\n" +
+           name + "\tI0.0\r\nEND_SYMBOL_TABLE\r\n";
+  };
+  // Letters of one byte for the controller: a text in quotation marks has them, a name does not.
+  for (const std::string& name : {std::string("\xEF\xF3\xF1\xEA"),
+                                  std::string("\xC3\xBC"
+                                              "ber"),
+                                  std::string("\xB1\xC3")}) {
+    const Program program = readText("a.awl", programOf(name));
+    EXPECT_EQ(show(program.pous[0]), "LD I0.0; = Q0.0; CALL 3") << name;
+  }
+}
+
 TEST(EncodingTest, ProblemsBecomeFindings) {
   EXPECT_EQ(
       readText(

@@ -88,6 +88,21 @@ TEST(SclMalformed, MistakesAreSaidAtTheirPlaces) {
   }
 }
 
+// As in STEP 7. Without an end a call of 100,000 values becomes millions of statements.
+TEST(SclMalformed, AlternativesAreAtMostThirtyTwo) {
+  const auto callOf = [](const std::string& name, int values) {
+    std::string text = "#a := " + name + "(";
+    for (int i = 0; i < values; ++i) text += std::string(i == 0 ? "" : ", ") + "#a";
+    return mainOf(text + ");", declared);
+  };
+  for (const std::string name : {"MAX", "MIN"}) {
+    EXPECT_FALSE(commandOn("lint", callOf(name, 32)).has("at most")) << name;
+    EXPECT_TRUE(commandOn("lint", callOf(name, 33)).has(name + " takes at most 32 values")) << name;
+  }
+  EXPECT_FALSE(commandOn("lint", callOf("MUX", 33)).has("at most"));
+  EXPECT_TRUE(commandOn("lint", callOf("MUX", 34)).has("MUX takes at most 32 values"));
+}
+
 // What one statement says wrongly leaves the whole block open: the program may go on elsewhere.
 TEST(SclMalformed, TheBlockIsNotCovered) {
   const std::string program = mainOf("#a := 1.5;\nQ4.0 := FALSE;", declared);
