@@ -23,6 +23,7 @@
 #include "frontend/stl/file_block.hpp"
 #include "frontend/stl/missing_address.hpp"
 #include "frontend/stl/operand_reader.hpp"
+#include "frontend/stl/stl_lexer.hpp"
 #include "frontend/stl/stl_likeness.hpp"
 #include "frontend/stl/syntax_sink.hpp"
 #include "ir/iec/cpu.hpp"
@@ -268,7 +269,7 @@ void printUnread(const Context& context, std::string_view command, const Program
 namespace {
 
 bool isProgramName(const std::string& name) {
-  return endsInAny(name, {".awl", ".stl", ".xml", ".udt", ".db", ".s7dcl", ".s7res", ".scl"}) ||
+  return endsInAny(name, {".awl", ".stl", ".xml", ".udt", ".db", ".s7dcl", ".s7res", ".scl", ".st", ".iecst", ".il"}) ||
          areUploads({name});  // those have any ending
 }
 
@@ -287,12 +288,25 @@ bool isTableOfProject(const std::string& path, bool isStep7) {
 /// Whether the file, read alone, holds a main program. One without a head is a block of the program whose file is
 /// called MAIN or OB1.
 bool holdsMain(const Program& alone, const std::string& file, const std::vector<std::string>& files) {
+  if (alone.syntax != nullptr)  // a function block alone is run for the sake of its text
+    return std::ranges::any_of(alone.syntax->blocks, [](const iec::BlockSyntax& block) {
+      return block.kind == iec::BlockKind::Program && !block.isLibrary;
+    });
   if (alone.main() == nullptr) return false;
   if (fileBlock(file).kind || stlLikeness(alone.sources->file(0).text()).hasHeading) return true;
   const auto folderOf = [](const std::string& name) { return std::filesystem::path(name).parent_path(); };
   return std::ranges::none_of(files, [&](const std::string& other) {
     return fileBlock(other).kind == PouKind::Main && folderOf(other) == folderOf(file);
   });
+}
+
+/// Whether a configuration in the file runs programs that stand in other files: then all of them are one project.
+bool runsProgramsOfOthers(const Program& alone) {
+  return alone.syntax != nullptr && std::ranges::any_of(alone.syntax->instances, [&](const auto& instance) {
+           return std::ranges::none_of(alone.syntax->blocks, [&](const iec::BlockSyntax& block) {
+             return equalsIgnoringCase(block.name, instance.type);
+           });
+         });
 }
 
 /// What a file of a command is, read alone. All that are of an S7-300/400 are one program.
@@ -348,7 +362,8 @@ std::optional<Failure> folderFailure(const std::vector<std::string>& names) {
     for (fs::recursive_directory_iterator entry(name, fs::directory_options::skip_permission_denied, error), end;
          !error && entry != end && !holdsProgram; entry.increment(error))
       holdsProgram = isProgramName(pathName(entry->path())) && entry->is_regular_file(error);
-    if (!holdsProgram) return Failure{"the folder holds no program", name, "programs end in .awl, .stl or .xml"};
+    if (!holdsProgram)
+      return Failure{"the folder holds no program", name, "programs end in .awl, .stl, .scl, .st, .il or .xml"};
   }
   return std::nullopt;
 }
@@ -401,8 +416,10 @@ std::vector<std::vector<std::string>> groupByProgram(const Context& context, con
   ReadOptions options = readOptionsOf(context.settings);
   options.symbolFiles.clear();
   std::vector<FilePart> parts(files.size(), FilePart::Beside);
+  bool isOneProject = false;
   const auto partOf = [&](const std::string& file) {
     const Program alone = readProgram({file}, options);
+    isOneProject = isOneProject || runsProgramsOfOthers(alone);
     if (alone.declarations != nullptr) return FilePart::OfProject;
     return holdsMain(alone, file, files) ? FilePart::Main : FilePart::Beside;
   };
@@ -414,6 +431,7 @@ std::vector<std::vector<std::string>> groupByProgram(const Context& context, con
   }
   if (std::ranges::all_of(parts, [](FilePart part) { return part == FilePart::Beside; })) return {files};
   parts[longest] = partOf(files[longest]);
+  if (isOneProject) return {files};
   std::vector<std::string> mains;
   std::vector<std::string> others;
   std::vector<std::string> ofOneProject;
