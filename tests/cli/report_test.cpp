@@ -336,6 +336,16 @@ TEST(Report, EachFormatNamesTheProgramsThatDiffer) {
   }
 }
 
+/// What people read names chapter and section; the bare line of our copy of the manual leads them nowhere.
+TEST(Reports, CiteTheManualByItsChapter) {
+  Finding cited = finding("TIM004", Severity::Warning);
+  cited.message = "use a faster timer (001:6611)";
+  for (const char* form : {"human", "concise", "github", "gitlab", "junit", "sarif", "html"}) {
+    const std::string text = written(form, reportWith({cited}));
+    EXPECT_NE(text.find("use a faster timer (System Manual 2004, chapter 6, Timers)"), std::string::npos) << form;
+  }
+}
+
 TEST(ConciseReport, TellsWhatStaysOpen) {
   Report report = reportWith({});
   report.coverage.leftOut = {"OUT003: 1 of 2 questions to the prover are open"};
