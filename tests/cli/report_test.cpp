@@ -370,6 +370,18 @@ TEST(LintTraces, TheRunOfAConfirmedFindingIsWritten) {
   EXPECT_EQ(test::run({"lint", "--traces", folder.path("runs"), program}).exit, 2) << "without --prove";
 }
 
+/// A network that the editor leaves out of the download is named with its place, the reason and what can be done.
+TEST(LeftOut, SaysWhatAndWhatToDo) {
+  const test::TemporaryFolder folder;
+  const std::string program =
+      folder.file("p.awl", "//@ prove never on: never Q0.1\n" +
+                               test::mainBlock("Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\nA\n= Q0.1\n"));
+  const test::ProgramRun result = test::run({"prove", program, "--as-downloaded", "--cpu", "CPU ST40"});
+  EXPECT_TRUE(result.says("left out: MAIN, network 2 (")) << result.out;
+  EXPECT_TRUE(result.says("is not in the download: A takes 1 operand, not 0; mend it, or give no --as-downloaded"))
+      << result.out;
+}
+
 /// On a terminal the progress of a proof says what was proved, how, how deep and how long it took.
 TEST(Progress, NamesPropertyMethodDepthAndSeconds) {
   const test::TemporaryFolder folder;
