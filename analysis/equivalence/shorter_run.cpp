@@ -2,6 +2,8 @@
 #include "analysis/equivalence/shorter_run.hpp"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace rungproof {
 
@@ -67,22 +69,24 @@ class RunShortener {
     return run;
   }
 
-  /// Each input of OLD with what stands for it in NEW, then inputs of NEW alone: off all the time. What is one byte in
-  /// one program may be several bits in the other.
+  /// Each input of OLD with what stands for it in NEW, then inputs that NEW alone reads: off all the time. What is one
+  /// byte in one program may be several bits in the other.
   void quietenInputs() {
     const std::vector<PresetValue> before = best_.before.empty() ? std::vector<PresetValue>{} : best_.before[0].inputs,
                                    after = best_.after.empty() ? std::vector<PresetValue>{} : best_.after[0].inputs;
+    std::set<std::pair<Area, std::uint32_t>> tried;  // in NEW
     for (const PresetValue& input : before) {
       const std::vector<Address> own = addressesOf(input.operand);
       std::vector<Address> there;
       for (const Address& address : own) {
         if (const auto partner = runs_.options.pairs.after(address)) there.push_back(*partner);
       }
+      for (const Address& address : there) tried.emplace(address.area, address.index);
       quieten(own, there);
     }
     for (const PresetValue& input : after) {
       std::vector<Address> alone = addressesOf(input.operand);
-      std::erase_if(alone, [&](const Address& address) { return runs_.options.pairs.before(address).has_value(); });
+      std::erase_if(alone, [&](const Address& address) { return tried.contains({address.area, address.index}); });
       quieten({}, alone);
     }
   }

@@ -59,16 +59,16 @@ void PageWriter::finding(const Finding& finding, PlaceNames& fingerprints) {
   out_ << fmt::format("<article class=\"finding {}\" id=\"finding-{}\"><b>{}[{}]</b>: {}{}<br/>\n",
                       severityName(finding.severity),
                       fingerprints.of(finding.rule + "-" + fingerprintOf(finding, *report_.sources).substr(0, 8)),
-                      severityName(finding.severity), finding.rule, names.marked(finding.message),
+                      severityName(finding.severity), finding.rule, names.marked(withManualTitles(finding.message)),
                       finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)" : "");
   findingPlace(finding.span, finding.pou.empty()    ? ""
                              : finding.network == 0 ? std::string(finding.pou)
                                                     : fmt::format("{}, network {}", finding.pou, finding.network));
   for (const RelatedPlace& related : finding.related) {
-    out_ << fmt::format("note: {}<br/>\n", names.marked(related.message));
+    out_ << fmt::format("note: {}<br/>\n", names.marked(withManualTitles(related.message)));
     findingPlace(related.span, "");
   }
-  if (!finding.help.empty()) out_ << fmt::format("<i>help:</i> {}\n", names.marked(finding.help));
+  if (!finding.help.empty()) out_ << fmt::format("<i>help:</i> {}\n", names.marked(withManualTitles(finding.help)));
   if (rule != nullptr) out_ << fmt::format("<p class=\"quiet\">{}: {}</p>\n", finding.rule, xmlText(rule->title));
   out_ << "</article>\n";
 }

@@ -229,9 +229,10 @@ std::vector<std::string> leaveOut(Program& program) {
   std::vector<std::string> lines;
   for (const NetworkVerdict& verdict : leaveOutInvalid(program)) {
     const Pou& pou = program.pous[verdict.place.block];
-    lines.push_back(fmt::format(
-        "{}, network {} ({}:{}) is not in the download: {}", pou.name, pou.networks[verdict.place.network].number,
-        program.sources->file(verdict.span.file).name(), program.sources->position(verdict.span).line, verdict.reason));
+    lines.push_back(
+        fmt::format("{}, network {} ({}:{}) is not in the download: {}; mend it, or give no --as-downloaded", pou.name,
+                    pou.networks[verdict.place.network].number, program.sources->file(verdict.span.file).name(),
+                    program.sources->position(verdict.span).line, verdict.reason));
   }
   return lines;
 }

@@ -8,6 +8,7 @@
 #include "frontend/testing/test_output.hpp"
 #include "frontend/text/excerpt.hpp"
 #include "frontend/text/safe_text.hpp"
+#include "ir/manual.hpp"
 
 namespace rungproof {
 
@@ -19,7 +20,7 @@ void write(const Report& report, const ReportStyle& style, std::ostream& out) {
     const std::string head = fmt::format("{}[{}]", severityName(finding.severity), finding.rule);
     out << fmt::format("{}: {} {}{}{}\n", messageText(placeText(*report.sources, finding.span)),
                        finding.severity == Severity::Error ? paint.red(head) : paint.yellow(head),
-                       messageText(finding.message),
+                       messageText(withManualTitles(finding.message)),
                        finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)" : "",
                        finding.trace.empty() ? std::string() : fmt::format(" ({})", messageText(finding.trace)));
   }

@@ -9,6 +9,7 @@
 #include "frontend/testing/test_output.hpp"
 #include "frontend/text/excerpt.hpp"
 #include "frontend/text/safe_text.hpp"
+#include "ir/manual.hpp"
 
 namespace rungproof {
 
@@ -79,13 +80,13 @@ class JunitWriter {
       const Position place = report_.sources->position(finding.span);
       pugi::xml_node test =
           addCase(suite, name, fmt::format("{} line {} column {}", finding.rule, place.line, place.column), 0);
-      std::string text =
-          fmt::format("{}: {}", lineText(placeText(*report_.sources, finding.span)), lineText(finding.message));
+      std::string text = fmt::format("{}: {}", lineText(placeText(*report_.sources, finding.span)),
+                                     lineText(withManualTitles(finding.message)));
       if (finding.confirmation == Confirmation::Unconfirmed) text += " (unconfirmed)";
-      if (!finding.help.empty()) text += "\nhelp: " + lineText(finding.help);
+      if (!finding.help.empty()) text += "\nhelp: " + lineText(withManualTitles(finding.help));
       const bool isOpen = finding.confirmation == Confirmation::Unconfirmed;
-      addFailure(test, std::string(severityName(finding.severity)), finding.message + (isOpen ? " (unconfirmed)" : ""),
-                 text);
+      addFailure(test, std::string(severityName(finding.severity)),
+                 withManualTitles(finding.message) + (isOpen ? " (unconfirmed)" : ""), text);
       ++count;
     }
     if (count == 0) addCase(suite, name, report_.command, 0);

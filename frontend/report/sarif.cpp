@@ -13,6 +13,7 @@
 #include "frontend/linting/fingerprint.hpp"
 #include "frontend/report/long_array.hpp"
 #include "frontend/report_basis.hpp"
+#include "ir/manual.hpp"
 
 namespace rungproof {
 
@@ -62,7 +63,7 @@ Json resultOf(const Finding& finding, const Report& report, std::size_t ruleInde
   Json result = {{"ruleId", finding.rule.view()},
                  {"ruleIndex", ruleIndex},
                  {"level", levelName(finding.severity)},
-                 {"message", {{"text", finding.message.view()}}}};
+                 {"message", {{"text", withManualTitles(finding.message)}}}};
   Json location = {{"physicalLocation", physicalLocation(sources, finding.span)}};
   if (!finding.pou.empty()) {
     const std::string name =
@@ -74,7 +75,7 @@ Json resultOf(const Finding& finding, const Report& report, std::size_t ruleInde
     result["relatedLocations"] = Json::array();
     for (const RelatedPlace& related : finding.related) {
       result["relatedLocations"].push_back({{"physicalLocation", physicalLocation(sources, related.span)},
-                                            {"message", {{"text", related.message.view()}}}});
+                                            {"message", {{"text", withManualTitles(related.message)}}}});
     }
   }
   if (finding.fix) {
@@ -89,7 +90,7 @@ Json resultOf(const Finding& finding, const Report& report, std::size_t ruleInde
   }
   result["partialFingerprints"] = {{"rungproof/v1", fingerprintOf(finding, sources)}};
   if (finding.confirmation == Confirmation::Unconfirmed) {
-    result["message"] = {{"text", finding.message + " (unconfirmed)"}};
+    result["message"] = {{"text", withManualTitles(finding.message) + " (unconfirmed)"}};
     result["kind"] = "review";
     result["level"] = "none";
   }

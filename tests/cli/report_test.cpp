@@ -336,6 +336,16 @@ TEST(Report, EachFormatNamesTheProgramsThatDiffer) {
   }
 }
 
+/// What people read names chapter and section; the bare line of our copy of the manual leads them nowhere.
+TEST(Reports, CiteTheManualByItsChapter) {
+  Finding cited = finding("TIM004", Severity::Warning);
+  cited.message = "use a faster timer (001:6611)";
+  for (const char* form : {"human", "concise", "github", "gitlab", "junit", "sarif", "html"}) {
+    const std::string text = written(form, reportWith({cited}));
+    EXPECT_NE(text.find("use a faster timer (System Manual 2004, chapter 6, Timers)"), std::string::npos) << form;
+  }
+}
+
 TEST(ConciseReport, TellsWhatStaysOpen) {
   Report report = reportWith({});
   report.coverage.leftOut = {"OUT003: 1 of 2 questions to the prover are open"};
@@ -358,6 +368,18 @@ TEST(LintTraces, TheRunOfAConfirmedFindingIsWritten) {
   EXPECT_NE(test::contentOf(trace).find("I0.0"), std::string::npos);
   EXPECT_EQ(test::run({"sim", program, "--stimulus", trace, "--expect", trace}).exit, 0);
   EXPECT_EQ(test::run({"lint", "--traces", folder.path("runs"), program}).exit, 2) << "without --prove";
+}
+
+/// A network that the editor leaves out of the download is named with its place, the reason and what can be done.
+TEST(LeftOut, SaysWhatAndWhatToDo) {
+  const test::TemporaryFolder folder;
+  const std::string program =
+      folder.file("p.awl", "//@ prove never on: never Q0.1\n" +
+                               test::mainBlock("Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\nA\n= Q0.1\n"));
+  const test::ProgramRun result = test::run({"prove", program, "--as-downloaded", "--cpu", "CPU ST40"});
+  EXPECT_TRUE(result.says("left out: MAIN, network 2 (")) << result.out;
+  EXPECT_TRUE(result.says("is not in the download: A takes 1 operand, not 0; mend it, or give no --as-downloaded"))
+      << result.out;
 }
 
 /// On a terminal the progress of a proof says what was proved, how, how deep and how long it took.

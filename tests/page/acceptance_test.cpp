@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <map>
 #include <pugixml.hpp>
 #include <regex>
 #include <set>
@@ -198,6 +199,49 @@ TEST(Page, NamesTheChoicesThatAVerdictDependsOn) {
   const std::string all = pageOf({"prove", corpusFile("interlocks/star_delta.awl")});
   for (const char* foreign : {"s5-time", "iec-div-zero", "hot-restart"})
     EXPECT_EQ(choicesIn(all).find(foreign), std::string::npos) << foreign;
+}
+
+/// Height on A4 with the margins of the print style, 263 mm a page: a line of 9.5 points with its space is 5.5 mm, a
+/// heading as high as two or three, a drawing as high as it says at 96 points an inch. An estimate without a browser.
+double pagesOnPaper(const std::string& page) {
+  double millimetres = 0;
+  std::string text = page.substr(page.find("<body>"));
+  for (std::size_t at = 0; (at = text.find("<svg", at)) != std::string::npos;) {
+    const std::size_t height = text.find("height=\"", at) + 8, end = text.find("</svg>", at);
+    millimetres += std::stod(text.substr(height)) * 25.4 / 96;
+    text.erase(at, end - at);
+  }
+  for (const auto& [part, lines] : std::map<std::string, double>{{"<tr", 1},
+                                                                 {"<p>", 1},
+                                                                 {"<p ", 1},
+                                                                 {"<li", 1},
+                                                                 {"<dt", 1},
+                                                                 {"<figcaption", 1},
+                                                                 {"<pre", 1},
+                                                                 {"<code", 1},
+                                                                 {"<h2", 3},
+                                                                 {"<h3", 2}})
+    millimetres += 5.5 * lines * static_cast<double>(countIn(text, part));
+  return millimetres / 263;
+}
+
+TEST(Page, OfFiftyProvedInstructionsTakesAtMostSixSheets) {
+  std::string statements, networks;
+  for (const char n : std::string("01234567")) {
+    const std::string bit(1, n);
+    statements += "//@ prove stop " + bit + ": never Q0." + bit + " and I0." + bit + "\n";
+    networks += "Network " + std::to_string(n - '0' + 1) + " // drive " + bit + "\nLD I1." + bit + "\nO Q0." + bit +
+                "\nAN I0." + bit + "\nA I2." + bit + "\nAN I3." + bit + "\n= Q0." + bit + "\n";
+  }
+  networks += "Network 9\nLD Q0.0\n= Q1.0\n";  // 8 times 6, and 2
+  const TemporaryFolder folder;
+  const std::string page =
+      pageOf({"prove", folder.file("fifty.awl", "ORGANIZATION_BLOCK MAIN:OB1\n" + statements + "BEGIN\n" + networks +
+                                                    "END_ORGANIZATION_BLOCK\n")});
+  EXPECT_NE(page.find("50 of 50 instructions understood"), std::string::npos);
+  EXPECT_EQ(countIn(page, ">PROVED</span></td>"), 8u);
+  EXPECT_LE(pagesOnPaper(page), 6.0);
+  EXPECT_GT(pagesOnPaper(page), 1.0) << "the estimate saw something";
 }
 
 /// What every verdict assumes stands before the verdicts, once.
