@@ -1,7 +1,12 @@
 // IEC011: a label of a CASE that stands in it twice. Tested by its examples and tests/rules/iec_rules_test.cpp.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "analysis/flow/facts.hpp"
@@ -12,13 +17,33 @@ namespace rungproof {
 
 namespace {
 
-/// Whether the first label takes what the second one names.
-bool takes(const iec::CaseLabel& first, const iec::CaseLabel& second) {
-  if (first.low == nullptr || second.low == nullptr) return false;
-  if (first.high == nullptr && second.high == nullptr && iec::isSame(*first.low, *second.low)) return true;
-  const auto low = iec::plainNumber(*first.low), high = first.high != nullptr ? iec::plainNumber(*first.high) : low;
-  const auto from = iec::plainNumber(*second.low), to = second.high != nullptr ? iec::plainNumber(*second.high) : from;
-  return low && high && from && to && *low <= *to && *from <= *high;
+using Labels = std::map<std::int64_t, std::pair<std::int64_t, const iec::CaseLabel*>>;
+
+/// By its first value: the last one, and the label that names them. Ranges that meet stand there once.
+const iec::CaseLabel* takenBy(const Labels& labels, std::int64_t low, std::int64_t high) {
+  auto next = labels.upper_bound(high);
+  if (next == labels.begin()) return nullptr;
+  --next;
+  return next->second.first >= low ? next->second.second : nullptr;
+}
+
+/// What of low..high no label has yet.
+void add(Labels& labels, std::int64_t low, std::int64_t high, const iec::CaseLabel& label) {
+  std::vector<std::pair<std::int64_t, std::int64_t>> free;
+  auto next = labels.upper_bound(low);
+  if (next != labels.begin()) {
+    const std::int64_t last = std::prev(next)->second.first;
+    if (last >= high) return;
+    low = std::max(low, last + 1);
+  }
+  for (; next != labels.end() && next->first <= high; ++next) {
+    if (low < next->first) free.emplace_back(low, next->first - 1);
+    low = next->second.first;
+    if (low >= high) break;
+    ++low;
+  }
+  if (low <= high && takenBy(labels, low, high) == nullptr) free.emplace_back(low, high);
+  for (const auto& [from, to] : free) labels.emplace(from, std::pair(to, &label));
 }
 
 void checkIec011(const Facts& facts, FindingSink& sink) {
@@ -26,17 +51,30 @@ void checkIec011(const Facts& facts, FindingSink& sink) {
   iec::eachOwnStatement(
       uses.project(), [&](const iec::BlockSyntax&, const iec::Statement& one, const iec::Statements&, std::size_t) {
         if (one.kind != iec::StatementKind::Case) return;
-        std::vector<const iec::CaseLabel*> before;
+        Labels numbers;                            // do not meet each other
+        std::vector<const iec::CaseLabel*> names;  // of enumerations and constants
         for (const iec::Branch& branch : one.branches) {
           for (const iec::CaseLabel& label : branch.labels) {
-            for (const iec::CaseLabel* other : before) {
-              if (!takes(*other, label)) continue;
-              Finding& finding = sink.report(label.low->span, "a label before this one has the value already");
-              finding.related.push_back({other->low->span, "the first label"});
-              finding.help = "the first label wins: remove one of them";
-              break;
+            if (label.low == nullptr) continue;
+            const auto low = iec::plainNumber(*label.low);
+            const auto high = label.high != nullptr ? iec::plainNumber(*label.high) : low;
+            const iec::CaseLabel* first = nullptr;
+            if (low && high) {
+              if (*low > *high) continue;
+              first = takenBy(numbers, *low, *high);
+              add(numbers, *low, *high, label);
+            } else if (label.high == nullptr) {
+              const auto same = std::ranges::find_if(
+                  names, [&](const iec::CaseLabel* other) { return iec::isSame(*other->low, *label.low); });
+              if (same != names.end())
+                first = *same;
+              else
+                names.push_back(&label);
             }
-            before.push_back(&label);
+            if (first == nullptr) continue;
+            Finding& finding = sink.report(label.low->span, "a label before this one has the value already");
+            finding.related.push_back({first->low->span, "the first label"});
+            finding.help = "the first label wins: remove one of them";
           }
         }
       });

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <optional>
 #include <vector>
 
@@ -38,9 +39,13 @@ std::optional<std::int64_t> microseconds(std::string_view text) {
                         : unit == "ms" ? 1e3
                         : unit == "us" ? 1
                                        : 0;
-    if (number.empty() || each == 0) return std::nullopt;
-    total += std::stod(number) * each;
+    double value = 0;
+    const auto read = std::from_chars(number.data(), number.data() + number.size(), value);
+    if (each == 0 || read.ec != std::errc() || read.ptr != number.data() + number.size()) return std::nullopt;
+    total += value * each;
   }
+  constexpr double longest = 9e18;
+  if (total > longest) return std::nullopt;
   return static_cast<std::int64_t>(total + 0.5);
 }
 

@@ -44,24 +44,30 @@ Expr partOf(const Expr& whole, std::uint32_t root) {
 
 }  // namespace
 
+/// Nodes of all statements of a property together: a chain of a thousand terms has as many parts, each nearly as long.
+constexpr std::size_t mostNodes = 20'000;
+
 std::vector<Expr> statementsIn(const Property& property) {
   std::vector<Expr> statements;
-  for (const Expr* whole : {&property.first, &property.second}) {
+  std::size_t nodes = 0;
+  for (const Expr* whole : {&property.second, &property.first}) {
     std::vector<bool> isPlain;
-    for (std::uint32_t i = 0; i < whole->nodes.size(); ++i) {
-      const ExprNode& n = whole->nodes[i];
+    for (const ExprNode& n : whole->nodes)
       isPlain.push_back(isOfOneMoment(n) && std::ranges::all_of(n.args, [&](auto arg) { return isPlain[arg]; }));
-      if (n.type != ExprType::Truth || n.op == ExprOp::Constant || !isPlain.back()) continue;
+    for (auto i = static_cast<std::uint32_t>(whole->nodes.size()); i-- > 0;) {  // the whole before its parts
+      const ExprNode& n = whole->nodes[i];
+      if (n.type != ExprType::Truth || n.op == ExprOp::Constant || !isPlain[i]) continue;
       Expr part = partOf(*whole, i), opposite = part;
       ExprNode negation;
       negation.op = ExprOp::Not;
       negation.args = {static_cast<std::uint32_t>(part.nodes.size() - 1)};
       opposite.nodes.push_back(negation);
-      statements.push_back(std::move(part));
+      nodes += part.nodes.size() + opposite.nodes.size();
+      if (nodes > mostNodes) return statements;
       statements.push_back(std::move(opposite));
+      statements.push_back(std::move(part));
     }
   }
-  std::ranges::reverse(statements);  // the whole before its parts
   return statements;
 }
 

@@ -315,6 +315,8 @@ void Lowering::pushValue(const Value& value, const Type& wanted, Span span) {
     const double real = value.isReal   ? value.real
                         : value.isHuge ? static_cast<double>(static_cast<std::uint64_t>(value.number))
                                        : static_cast<double>(value.number);
+    if (value.isReal && !isWithinReal(real, wanted.width))
+      refuse(span, fmt::format("the number is too large for {}", wanted.name));
     return constant(realPattern(real, wanted.width), wanted.width);
   }
   if (value.isReal) refuse(span, fmt::format("a REAL number does not fit into {}", wanted.name));

@@ -1,11 +1,16 @@
 // Literals: numbers, durations, dates.
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 
 #include "frontend/iec/iec_types.hpp"
 
 namespace rungproof::iec {
+
+bool isWithinReal(double real, int width) {
+  return std::isfinite(width == 64 ? real : static_cast<double>(static_cast<float>(real)));
+}
 
 namespace {
 
@@ -49,12 +54,16 @@ bool isRealText(std::string_view text) {
          (text.find('.') != std::string_view::npos || text.find_first_of("eE") != std::string_view::npos);
 }
 
-Value realValue(std::string_view text, const Type* type) {
+/// Nothing, with the reason, where the number is beyond the largest one of the type; without a type it may be an LREAL.
+std::optional<Value> realValue(std::string_view text, const Type* type, std::string& reason) {
   std::string digits;
   for (const char c : text) {
     if (c != '_') digits += c;
   }
-  return realConstant(std::strtod(digits.c_str(), nullptr), type);
+  const double real = std::strtod(digits.c_str(), nullptr);
+  if (isWithinReal(real, type != nullptr ? type->width : 64)) return realConstant(real, type);
+  reason = fmt::format("{} is too large for {}", excerpt(text), type != nullptr ? type->name : "LREAL");
+  return std::nullopt;
 }
 
 /// Days from 1970-01-01 to a date of the Gregorian calendar; nothing if there is no such date.
@@ -164,7 +173,7 @@ std::optional<Value> literalValue(const Expr& literal, std::string& reason) {
   if (literal.prefix.empty()) {
     const std::string word = foldedName(text);
     if (word == "TRUE" || word == "FALSE") return Value{elementaryType("BOOL"), word == "TRUE" ? 1 : 0};
-    if (isRealText(text)) return realValue(text, nullptr);
+    if (isRealText(text)) return realValue(text, nullptr, reason);
     if (const auto value = integerOf(text)) return value;
     reason = fmt::format("{} does not fit into 64 bits", excerpt(text));
     return std::nullopt;
@@ -184,7 +193,7 @@ std::optional<Value> literalValue(const Expr& literal, std::string& reason) {
     reason = fmt::format("{}# is not modelled", excerpt(literal.prefix));
     return std::nullopt;
   }
-  if (type->kind == Kind::Real) return realValue(text, type);
+  if (type->kind == Kind::Real) return realValue(text, type, reason);
   if (type->kind == Kind::Date) {
     const auto value = dateValue(*type, text);
     if (!value) reason = fmt::format("{}#{} is no {}", literal.prefix, excerpt(text), type->name);

@@ -146,6 +146,10 @@ void Lowering::initialize(const Type& type, std::uint32_t offset, const Initial*
     std::uint32_t at = offset;
     const std::uint32_t size = type.element->bytes;
     std::vector<const Initial*> given;
+    std::uint64_t values = 0;
+    for (std::size_t i = 0; initial != nullptr && i < initial->row.size(); ++i) values += initial->row[i].first;
+    if (size > 0 && values > type.bytes / size)
+      refuse(initial->span, fmt::format("{} initial values are given for {} elements", values, type.bytes / size));
     for (std::size_t i = 0; initial != nullptr && i < initial->row.size(); ++i) {
       for (std::uint32_t k = 0; k < initial->row[i].first && given.size() * size < type.bytes; ++k)
         given.push_back(&initial->row[i].second);
@@ -188,6 +192,8 @@ void Lowering::initialize(const Type& type, std::uint32_t offset, const Initial*
   }
   if (type.kind == Kind::Time && value->type == nullptr && value->number != 0)
     refuse(initial->span, "a duration is written T#5s");
+  if (type.kind == Kind::Real && value->isReal && !isWithinReal(value->real, type.width))
+    refuse(initial->span, fmt::format("the number is too large for {}", type.name));
   tellPattern(*value, type, initial->span);
   writeInitial(type, offset, *value);
 }

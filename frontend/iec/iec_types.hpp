@@ -85,6 +85,8 @@ std::optional<Value> literalValue(const Expr& literal, std::string& reason);
 Value realConstant(double real, const Type* type);
 /// The pattern of a real constant of that many bits.
 std::int64_t realPattern(double real, int width);
+/// Whether a number written in a program does not become infinite in that many bits.
+bool isWithinReal(double real, int width);
 /// Most characters of a STRING.
 inline constexpr std::int64_t mostTextLength = 254;
 

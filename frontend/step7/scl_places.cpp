@@ -96,7 +96,9 @@ std::optional<Operand> SclLowering::absolute(const iec::Expr& expr) {
   operand.span = expr.span;
   const bool hasBit = parts.back().kind == PartKind::Bit && parts.back().bits == 1;
   const std::size_t names = parts.size() - (hasBit ? 1 : 0);
-  if (names == 2 && parts[1].kind == PartKind::Name && readDataAddress(parts[1].name, operand)) {
+  // Without a bit D0 and DX0 are names of data.
+  const auto isPlace = [&] { return readDataAddress(parts[1].name, operand) && (hasBit || operand.size != Size::Bit); };
+  if (names == 2 && parts[1].kind == PartKind::Name && isPlace()) {
     const std::optional<std::uint32_t> number = dataBlockNumber(parts[0].name);
     const bool isSymbol = parts[0].name.starts_with('"');
     if (number || isSymbol) {

@@ -7,7 +7,6 @@
 namespace rungproof {
 namespace {
 
-using test::run;
 using test::TemporaryFolder;
 
 constexpr const char* follower =
@@ -21,7 +20,7 @@ std::string programNamed(const std::string& name, const std::string& output) {
 TEST(IecFolder, TextsAreRead) {
   const TemporaryFolder folder;
   folder.file("main.st", "PROGRAM m VAR a AT %IX0.0 : BOOL; END_VAR a := ; END_PROGRAM\n");
-  const auto lint = run({"lint", "--isolated", folder.path("")});
+  const auto lint = test::run({"lint", "--isolated", folder.path("")});
   EXPECT_EQ(lint.exit, 2) << lint.out << lint.err;
   EXPECT_NE(lint.out.find("main.st:1:"), std::string::npos) << lint.out << lint.err;
 }
@@ -31,10 +30,10 @@ TEST(IecFolder, BlocksStandBesideEachProgram) {
   folder.file("blocks.st", follower);
   folder.file("first.st", programNamed("First", "0"));
   folder.file("second.st", programNamed("Second", "1"));
-  const auto lint = run({"lint", "--isolated", folder.path("")});
+  const auto lint = test::run({"lint", "--isolated", folder.path("")});
   EXPECT_EQ(lint.exit, 0) << lint.out << lint.err;
   // Two programs: one that proves would have to say which of them.
-  const auto proof = run({"prove", "--isolated", "--builtin", folder.path("first.st"), folder.path("blocks.st")});
+  const auto proof = test::run({"prove", "--isolated", "--builtin", folder.path("first.st"), folder.path("blocks.st")});
   EXPECT_EQ(proof.exit, 0) << proof.out << proof.err;
 }
 
@@ -47,8 +46,8 @@ TEST(IecFolder, AConfigurationJoinsTheProgramsOfOtherFiles) {
               "CONFIGURATION c RESOURCE r ON PLC\nTASK t(INTERVAL := T#10ms, PRIORITY := 1);\n"
               "PROGRAM one WITH t : First;\nPROGRAM two WITH t : Second;\nEND_RESOURCE\nEND_CONFIGURATION\n");
   folder.file("asked.prop", "prove both: %QX0.0 = %QX0.1\n");
-  const auto proof = run({"prove", "--isolated", "--props", folder.path("asked.prop"), folder.path("plant.st"),
-                          folder.path("first.st"), folder.path("second.st"), folder.path("blocks.st")});
+  const auto proof = test::run({"prove", "--isolated", "--props", folder.path("asked.prop"), folder.path("plant.st"),
+                                folder.path("first.st"), folder.path("second.st"), folder.path("blocks.st")});
   EXPECT_EQ(proof.exit, 0) << proof.out << proof.err;
   EXPECT_NE(proof.out.find("PROVED  both"), std::string::npos) << proof.out;
 }

@@ -57,6 +57,29 @@ TEST(IecNestedTypes, DoublingInstancesAreRefused) {
   EXPECT_TRUE(isTold(blocksOf(60, "a, b : F{};") + withInstance, "stand in more than 32 others"));
 }
 
+TEST(IecNestedTypes, MoreInitialValuesThanElementsAreTold) {
+  EXPECT_TRUE(isTold("PROGRAM m VAR x : ARRAY[0..9] OF INT := [20(1)]; q : BOOL; END_VAR q := x[0] = 1; END_PROGRAM\n",
+                     "20 initial values are given for 10 elements"));
+  EXPECT_TRUE(
+      isTold("PROGRAM m VAR x : ARRAY[0..9] OF INT := [9(1), 2, 3]; q : BOOL; END_VAR q := x[0] = 1; "
+             "END_PROGRAM\n",
+             "11 initial values are given for 10 elements"));
+  EXPECT_EQ(findingsIec(readIecText(
+                "PROGRAM m VAR x : ARRAY[0..9] OF INT := [9(1), 2]; q : BOOL; END_VAR q := x[0] = 1; END_PROGRAM\n")),
+            "");
+}
+
+TEST(IecNestedTypes, NumbersBeyondTheirTypeAreTold) {  // the largest REAL is 3.4E38, the largest LREAL 1.8E308
+  const auto assigning = [](const std::string& number) {
+    return "PROGRAM m VAR r : REAL; l : LREAL; END_VAR " + number + "; END_PROGRAM\n";
+  };
+  EXPECT_TRUE(isTold(assigning("r := 1.0E39"), "too large for REAL"));
+  EXPECT_TRUE(isTold(assigning("r := REAL#1.0E39"), "1.0E39 is too large for REAL"));
+  EXPECT_TRUE(isTold(assigning("l := 1.0E309"), "1.0E309 is too large for LREAL"));
+  EXPECT_TRUE(isTold("PROGRAM m VAR r : REAL := 1.0E39; END_VAR r := r; END_PROGRAM\n", "too large for REAL"));
+  EXPECT_EQ(findingsIec(readIecText(assigning("l := 1.0E39; r := 3.4E38"))), "");
+}
+
 TEST(IecNestedTypes, ALongChainOfCallsIsRefused) {
   std::string text;
   for (int i = 1; i < 20'000; ++i)

@@ -290,6 +290,8 @@ TEST(IecRules, CaseLabelTwice) {
                      {"in one list", 1, cases("1, 2, 1: q := a;")},
                      {"in a range", 1, cases("1..5: q := a; 3: q := b;")},
                      {"ranges that overlap", 1, cases("1..5: q := a; 5..9: q := b;")},
+                     {"in what an overlapping range has left", 2, cases("1..5: q := a; 3..9: q := b; 8: q := a;")},
+                     {"a range over several", 1, cases("1: q := a; 5: q := b; 0..9: q := a;")},
                      {"a range around a number", 1, cases("-2: q := a; -5..0: q := b;")},
                      {"an enumerator", 1,
                       "TYPE E : (one, two); END_TYPE\n" +

@@ -168,5 +168,13 @@ TEST(SclCalls, CalledFromAStatementList) {
   EXPECT_EQ(proof.exit, 0) << proof.text;
 }
 
+// D0 without a bit is no address, so it can be a name.
+TEST(SclCalls, DataMayHaveTheNamesOfAddressesWithoutABit) {
+  const std::string data = "DATA_BLOCK DB 1\nSTRUCT\n d0 : INT;\n dx1 : INT;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n";
+  EXPECT_EQ(
+      lastRow(data + mainOf("DB1.d0 := 3; DB1.dx1 := DB1.d0 + 1; MW20 := DB1.dx1; M30.0 := DB1.D1.0;"), "MW20,M30.0"),
+      "1,4,1");  // 3 in the first word: bit 0 of byte 1 is 1
+}
+
 }  // namespace
 }  // namespace rungproof
