@@ -124,12 +124,12 @@ EncoderOptions anyMemory() {
 }
 
 TEST(ScanAgreement, PlainPrograms) {
-  runAll({.rungs = 8, .jumps = false, .loops = false, .subroutines = false}, anyMemory(), 180, 60, 0);
+  runAll({.rungs = 8, .jumps = false, .loops = false, .subroutines = false}, anyMemory(), 120, 60, 0);
 }
 
-TEST(ScanAgreement, ControlFlow) { runAll({.rungs = 7}, anyMemory(), 60, 60, 10000); }
+TEST(ScanAgreement, ControlFlow) { runAll({.rungs = 7}, anyMemory(), 30, 60, 10000); }
 
-TEST(ScanAgreement, FromPowerUp) { runAll({.rungs = 7}, {}, 60, 60, 20000); }
+TEST(ScanAgreement, FromPowerUp) { runAll({.rungs = 7}, {}, 40, 60, 20000); }
 
 TEST(ScanAgreement, FixedScanTime) {
   EncoderOptions options = anyMemory();
@@ -138,7 +138,7 @@ TEST(ScanAgreement, FixedScanTime) {
 }
 
 TEST(ScanAgreement, Interrupts) {
-  runAll({.rungs = 5, .loops = false, .subroutines = false, .interrupts = true}, anyMemory(), 25, 60, 40000);
+  runAll({.rungs = 5, .loops = false, .subroutines = false, .interrupts = true}, anyMemory(), 15, 60, 40000);
 }
 
 TEST(ScanAgreement, Pointers) {
