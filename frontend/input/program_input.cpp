@@ -121,6 +121,12 @@ void guessCpu(const Context& context, const Settings& settings, Program& program
 
 namespace {
 
+/// A name in quotation marks is a symbol in every family, never an address.
+std::string_view withoutQuotes(std::string_view text) {
+  const bool isQuoted = text.size() > 2 && text.front() == '"' && text.find('"', 1) == text.size() - 1;
+  return isQuoted ? text.substr(1, text.size() - 2) : text;
+}
+
 /// Variables of IEC 61131-3 by their names, in any case of letters.
 OperandLookup lookupOfVariables(const Program& program) {
   auto names = std::make_shared<std::unordered_map<std::string, Operand>>();
@@ -128,7 +134,8 @@ OperandLookup lookupOfVariables(const Program& program) {
     names->emplace(iec::foldedName(symbol.name), symbol.address);
   }
   return [names](std::string_view text) -> std::optional<Operand> {
-    const auto found = names->find(iec::foldedName(text.starts_with('%') ? text.substr(1) : text));
+    const std::string_view name = text.starts_with('%') ? text.substr(1) : withoutQuotes(text);
+    const auto found = names->find(iec::foldedName(name));
     return found == names->end() ? std::nullopt : std::optional(found->second);
   };
 }
@@ -140,13 +147,14 @@ OperandLookup lookupIn(const Program& program) {
   return [&program](std::string_view text) -> std::optional<Operand> {
     if (program.declarations != nullptr) return step7::placeNamed(program, text);
     Operand operand;
-    if (readAddress(text, Spelling::International, operand)) return operand;
-    if (const Symbol* symbol = program.symbolNamed(text)) {
+    const std::string_view name = withoutQuotes(text);
+    if (name == text && readAddress(text, Spelling::International, operand)) return operand;
+    if (const Symbol* symbol = program.symbolNamed(name)) {
       operand = symbol->address;
       operand.text = symbol->name;
       return operand;
     }
-    if (readAddress(text, Spelling::German, operand)) return operand;
+    if (name == text && readAddress(text, Spelling::German, operand)) return operand;
     return std::nullopt;
   };
 }
