@@ -321,6 +321,17 @@ bool runsProgramsOfOthers(const Program& alone) {
 /// What a file of a command is, read alone. All that are of an S7-300/400 are one program.
 enum class FilePart : std::uint8_t { Main, Beside, OfProject };
 
+/// A file that is named twice, or stands in a folder that is named too, is one file.
+void keepEachOnce(std::vector<std::string>& files) {
+  if (files.size() < 2) return;
+  std::set<std::filesystem::path> known;
+  std::erase_if(files, [&](const std::string& file) {
+    std::error_code error;
+    const std::filesystem::path place = std::filesystem::weakly_canonical(file, error);
+    return !known.insert(error ? std::filesystem::path(file) : place).second;
+  });
+}
+
 std::uintmax_t lengthOf(const std::string& file) {
   std::error_code error;
   const std::uintmax_t length = std::filesystem::file_size(file, error);
@@ -406,12 +417,14 @@ std::vector<std::string> expandFolders(const std::vector<std::string>& given, co
     return std::ranges::any_of(settings.list(Opt::Exclude),
                                [&](const std::string& pattern) { return fitsPattern(name, pattern); });
   });
+  keepEachOnce(files);
   return files;
 }
 
 std::vector<std::vector<std::string>> groupByProgram(const Context& context, const std::vector<std::string>& given) {
   std::vector<std::vector<std::string>> ofProjects;
   std::vector<std::string> files = expandProjects(given, context.settings);
+  keepEachOnce(files);
   std::erase_if(files, [&](const std::string& file) {
     if (!isProjectProgram(file)) return false;
     ofProjects.push_back({file});
