@@ -13,6 +13,7 @@
 #include "analysis/rule.hpp"
 #include "engine/platform/names.hpp"
 #include "frontend/files/file_reader.hpp"
+#include "frontend/input/program_text.hpp"
 #include "frontend/input/project_argument.hpp"
 #include "frontend/input/protected_findings.hpp"
 #include "frontend/input/tag_list.hpp"
@@ -352,11 +353,12 @@ std::vector<std::string> expandFolders(const std::vector<std::string>& names) {
     std::vector<std::string> found, others;
     for (fs::recursive_directory_iterator entry(name, fs::directory_options::skip_permission_denied, error), end;
          !error && entry != end; entry.increment(error)) {
-      if (entry->is_regular_file(error) && isProgramName(pathName(entry->path())))
-        found.push_back(pathName(entry->path()));
-      else if (entry->is_regular_file(error) &&
-               endsInAny(pathName(entry->path()), {".csv", ".txt", ".sdf", ".tsv", ".asc", ".seq", ".dif"}))
-        others.push_back(pathName(entry->path()));
+      const std::string file = pathName(entry->path());
+      if (!entry->is_regular_file(error)) continue;
+      if (isProgramName(file) || (hasSharedEnding(file) && isProgramText(file)))
+        found.push_back(file);
+      else if (hasSharedEnding(file))
+        others.push_back(file);
     }
     // Tables belong to the one program of the folder; which of several they would belong to, nobody says.
     const auto isMain = [&](const std::string& file) { return holdsMain(readProgram({file}), file, found); };
@@ -380,10 +382,13 @@ std::optional<Failure> folderFailure(const std::vector<std::string>& names) {
     if (!fs::is_directory(name, error)) continue;
     bool holdsProgram = !projectsIn(name).empty();
     for (fs::recursive_directory_iterator entry(name, fs::directory_options::skip_permission_denied, error), end;
-         !error && entry != end && !holdsProgram; entry.increment(error))
-      holdsProgram = isProgramName(pathName(entry->path())) && entry->is_regular_file(error);
+         !error && entry != end && !holdsProgram; entry.increment(error)) {
+      const std::string file = pathName(entry->path());
+      holdsProgram =
+          entry->is_regular_file(error) && (isProgramName(file) || (hasSharedEnding(file) && isProgramText(file)));
+    }
     if (!holdsProgram)
-      return Failure{"the folder holds no program", name, "programs end in .awl, .stl, .scl, .st, .il or .xml"};
+      return Failure{"the folder holds no program", name, "programs end in .awl, .stl, .txt, .scl, .st, .il or .xml"};
   }
   return std::nullopt;
 }
