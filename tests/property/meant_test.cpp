@@ -56,8 +56,8 @@ TEST_F(Meant, QuotedNamesAreSymbols) {
                                              mainBlock("Network 1\nLD I0.0\n= Q0.0\n"));
   const ProgramRun found = run({"prove", "--isolated", named});
   EXPECT_EQ(found.exit, 0) << found.out << found.err;
-  const std::string iec =
-      folder_.file("i.st", "PROGRAM Main\nVAR Motor, Start : BOOL; END_VAR\nMotor := Start;\nEND_PROGRAM\n");
+  const std::string iec = folder_.file(
+      "i.st", "PROGRAM Main\nVAR Motor AT %QX0.0, Start AT %IX0.0 : BOOL; END_VAR\nMotor := Start;\nEND_PROGRAM\n");
   const std::string statement = folder_.file("i.prop", "prove x: \"Motor\" implies \"Start\"\n");
   EXPECT_EQ(run({"prove", "--isolated", iec, "--props", statement}).exit, 0);
 }
