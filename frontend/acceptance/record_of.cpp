@@ -123,8 +123,8 @@ std::string_view withoutBlanks(std::string_view text) {
 
 }  // namespace
 
-void addRecord(Report& report, const Settings& settings, const ProgramInput& input,
-               const std::vector<std::string>& files, const std::vector<std::string>& propertyFiles) {
+ProgramRecord basisRecord(const Settings& settings, const ProgramInput& input, const std::vector<std::string>& files,
+                          const std::vector<std::string>& propertyFiles) {
   const Program& program = input.program;
   ProgramRecord record;
   record.name = nameInProject(files.front(), settings.root());
@@ -134,8 +134,14 @@ void addRecord(Report& report, const Settings& settings, const ProgramInput& inp
   record.files = filesOf(settings, program, propertyFiles);
   record.options = optionsOf(settings);
   record.choices = choicesOf(settings, program);
-  record.symbols = symbolsOf(program);
-  record.networks = picturesOf(program);
+  return record;
+}
+
+void addRecord(Report& report, const Settings& settings, const ProgramInput& input,
+               const std::vector<std::string>& files, const std::vector<std::string>& propertyFiles) {
+  ProgramRecord record = basisRecord(settings, input, files, propertyFiles);
+  record.symbols = symbolsOf(input.program);
+  record.networks = picturesOf(input.program);
   report.programs.push_back(std::move(record));
 
   report.lintFindings = lintProgram(settings, input, files).findings;

@@ -8,6 +8,10 @@
 
 namespace rungproof {
 
+/// The program's record without drawings and names: what its verdicts depend on. `propertyFiles`: as given.
+ProgramRecord basisRecord(const Settings& settings, const ProgramInput& input, const std::vector<std::string>& files,
+                          const std::vector<std::string>& propertyFiles);
+
 /// Adds the record of the program to the report, and what lint finds in it. `propertyFiles`: as given.
 void addRecord(Report& report, const Settings& settings, const ProgramInput& input,
                const std::vector<std::string>& files, const std::vector<std::string>& propertyFiles);

@@ -54,6 +54,7 @@ Action setup(ArgumentTable& table) {
     if (files.empty())
       return context.fail({"every program is excluded", state->files.front(), "see 'exclude' of 'rungproof config'"});
     Report report = lintFiles(context, files);
+    if (!report.reasons.empty()) return Exit::Failed;  // not all was checked, and it has been said
     std::erase_if(report.findings, [&](const Finding& finding) { return finding.severity < context.settings.level(); });
     for (const Finding& finding : report.findings) {
       if (isReadError(finding))

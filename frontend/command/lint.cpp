@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "analysis/read_errors.hpp"
-#include "analysis/rule.hpp"
 #include "frontend/command.hpp"
 #include "frontend/linting/baseline.hpp"
 #include "frontend/linting/fix.hpp"
@@ -24,18 +23,6 @@ struct State {
   std::string traces;
   bool watch = false;
 };
-
-/// The codes of --select that name no rule which runs without the prover.
-std::vector<std::string> needingProver(const Settings& settings) {
-  std::vector<std::string> result;
-  for (const std::string& text : settings.list(Opt::Select)) {
-    const auto isMeant = [&](const Rule* rule) { return text == "ALL" || rule->id.starts_with(text); };
-    const auto asks = [&](const Rule* rule) { return isMeant(rule) && rule->ask.in != 0; };
-    const auto looks = [&](const Rule* rule) { return isMeant(rule) && (rule->check != nullptr || rule->ask.in == 0); };
-    if (std::ranges::any_of(allRules(), asks) && std::ranges::none_of(allRules(), looks)) result.push_back(text);
-  }
-  return result;
-}
 
 /// A file that was not read at all: what would be fixed in it is not known.
 bool isLostForFixes(const Finding& finding) { return finding.rule == "SYN001" || finding.rule == "SYN002"; }
@@ -67,7 +54,7 @@ Action setup(ArgumentTable& table) {
     const FixLevel level = state->unsafeFixes ? FixLevel::Unsafe : FixLevel::Safe;
     const bool readsInput = std::ranges::find(files, "-") != files.end();
     if (state->diff) {
-      bool isRead = true;
+      bool isRead = report.reasons.empty();  // of rules that did not look
       for (const Finding& finding : report.findings) {
         if (!isReadError(finding)) continue;
         isRead = false;
@@ -91,12 +78,6 @@ Action setup(ArgumentTable& table) {
         return written ? finish(beside, std::move(report)) : worse(Exit::Failed, finish(beside, std::move(report)));
       }
       if (!written) return worse(Exit::Failed, finish(context, std::move(report)));
-    }
-    if (!state->prove) {
-      for (const std::string& ids : needingProver(context.settings)) {
-        print(context.err, {fmt::format("the rules that '{}' selects need the prover", ids), {}, "give --prove"});
-        report.reasons.push_back({Exit::Failed, fmt::format("{} was not checked", ids)});
-      }
     }
     if (auto failure = subtractBaseline(context.settings, report)) return context.fail(*failure);
     return finish(context, std::move(report));

@@ -227,6 +227,17 @@ void keepPart(const ReportPart& part, PropertySet& set, std::size_t& count) {
                 [&](const Property& property) { return property.isGoal() && count++ % part.of != part.part - 1; });
 }
 
+/// What of this command alone decides which verdicts there are: parts of one run have it in common.
+void addOwnOptions(const Arguments& arguments, ProgramRecord& record) {
+  const auto add = [&](const char* name, const std::string& value) {
+    record.options.push_back({name, value, "command line"});
+  };
+  if (!arguments.only.empty()) add("only", fmt::format("{}", fmt::join(arguments.only, ", ")));
+  if (arguments.builtin) add("builtin", "");
+  if (arguments.selfCheck) add("self-check", "");
+  if (arguments.asDownloaded) add("as-downloaded", "");
+}
+
 /// Whether another run with more time could say more.
 bool isFinal(const Report& report) {
   return !interrupted && report.defects.empty() &&
@@ -285,7 +296,11 @@ Exit runAnew(const Arguments& given, Context& context, bool& isSettled) {
       context.err << fmt::format(
           "rungproof: no property is declared in {}; see 'rungproof prove --help', or give --builtin\n", files.front());
     }
-    if (wantsPage(context)) addRecord(part, settings, input, files, arguments.properties);
+    if (wantsPage(context))
+      addRecord(part, settings, input, files, arguments.properties);
+    else if (whichPart)
+      part.programs.push_back(basisRecord(settings, input, files, arguments.properties));
+    if (whichPart) addOwnOptions(given, part.programs.back());
     const PlaceIndex places(input.program);
     for (Finding& finding : part.findings) places.complete(finding);
     if (programs.size() > 1) {

@@ -13,6 +13,7 @@
 #include "analysis/rule.hpp"
 #include "engine/platform/names.hpp"
 #include "frontend/files/file_reader.hpp"
+#include "frontend/input/program_text.hpp"
 #include "frontend/input/project_argument.hpp"
 #include "frontend/input/protected_findings.hpp"
 #include "frontend/input/tag_list.hpp"
@@ -121,6 +122,12 @@ void guessCpu(const Context& context, const Settings& settings, Program& program
 
 namespace {
 
+/// A name in quotation marks is a symbol in every family, never an address.
+std::string_view withoutQuotes(std::string_view text) {
+  const bool isQuoted = text.size() > 2 && text.front() == '"' && text.find('"', 1) == text.size() - 1;
+  return isQuoted ? text.substr(1, text.size() - 2) : text;
+}
+
 /// Variables of IEC 61131-3 by their names, in any case of letters.
 OperandLookup lookupOfVariables(const Program& program) {
   auto names = std::make_shared<std::unordered_map<std::string, Operand>>();
@@ -128,7 +135,8 @@ OperandLookup lookupOfVariables(const Program& program) {
     names->emplace(iec::foldedName(symbol.name), symbol.address);
   }
   return [names](std::string_view text) -> std::optional<Operand> {
-    const auto found = names->find(iec::foldedName(text.starts_with('%') ? text.substr(1) : text));
+    const std::string_view name = text.starts_with('%') ? text.substr(1) : withoutQuotes(text);
+    const auto found = names->find(iec::foldedName(name));
     return found == names->end() ? std::nullopt : std::optional(found->second);
   };
 }
@@ -140,13 +148,14 @@ OperandLookup lookupIn(const Program& program) {
   return [&program](std::string_view text) -> std::optional<Operand> {
     if (program.declarations != nullptr) return step7::placeNamed(program, text);
     Operand operand;
-    if (readAddress(text, Spelling::International, operand)) return operand;
-    if (const Symbol* symbol = program.symbolNamed(text)) {
+    const std::string_view name = withoutQuotes(text);
+    if (name == text && readAddress(text, Spelling::International, operand)) return operand;
+    if (const Symbol* symbol = program.symbolNamed(name)) {
       operand = symbol->address;
       operand.text = symbol->name;
       return operand;
     }
-    if (readAddress(text, Spelling::German, operand)) return operand;
+    if (name == text && readAddress(text, Spelling::German, operand)) return operand;
     return std::nullopt;
   };
 }
@@ -313,6 +322,17 @@ bool runsProgramsOfOthers(const Program& alone) {
 /// What a file of a command is, read alone. All that are of an S7-300/400 are one program.
 enum class FilePart : std::uint8_t { Main, Beside, OfProject };
 
+/// A file that is named twice, or stands in a folder that is named too, is one file.
+void keepEachOnce(std::vector<std::string>& files) {
+  if (files.size() < 2) return;
+  std::set<std::filesystem::path> known;
+  std::erase_if(files, [&](const std::string& file) {
+    std::error_code error;
+    const std::filesystem::path place = std::filesystem::weakly_canonical(file, error);
+    return !known.insert(error ? std::filesystem::path(file) : place).second;
+  });
+}
+
 std::uintmax_t lengthOf(const std::string& file) {
   std::error_code error;
   const std::uintmax_t length = std::filesystem::file_size(file, error);
@@ -333,11 +353,12 @@ std::vector<std::string> expandFolders(const std::vector<std::string>& names) {
     std::vector<std::string> found, others;
     for (fs::recursive_directory_iterator entry(name, fs::directory_options::skip_permission_denied, error), end;
          !error && entry != end; entry.increment(error)) {
-      if (entry->is_regular_file(error) && isProgramName(pathName(entry->path())))
-        found.push_back(pathName(entry->path()));
-      else if (entry->is_regular_file(error) &&
-               endsInAny(pathName(entry->path()), {".csv", ".txt", ".sdf", ".tsv", ".asc", ".seq", ".dif"}))
-        others.push_back(pathName(entry->path()));
+      const std::string file = pathName(entry->path());
+      if (!entry->is_regular_file(error)) continue;
+      if (isProgramName(file) || (hasSharedEnding(file) && isProgramText(file)))
+        found.push_back(file);
+      else if (hasSharedEnding(file))
+        others.push_back(file);
     }
     // Tables belong to the one program of the folder; which of several they would belong to, nobody says.
     const auto isMain = [&](const std::string& file) { return holdsMain(readProgram({file}), file, found); };
@@ -361,10 +382,13 @@ std::optional<Failure> folderFailure(const std::vector<std::string>& names) {
     if (!fs::is_directory(name, error)) continue;
     bool holdsProgram = !projectsIn(name).empty();
     for (fs::recursive_directory_iterator entry(name, fs::directory_options::skip_permission_denied, error), end;
-         !error && entry != end && !holdsProgram; entry.increment(error))
-      holdsProgram = isProgramName(pathName(entry->path())) && entry->is_regular_file(error);
+         !error && entry != end && !holdsProgram; entry.increment(error)) {
+      const std::string file = pathName(entry->path());
+      holdsProgram =
+          entry->is_regular_file(error) && (isProgramName(file) || (hasSharedEnding(file) && isProgramText(file)));
+    }
     if (!holdsProgram)
-      return Failure{"the folder holds no program", name, "programs end in .awl, .stl, .scl, .st, .il or .xml"};
+      return Failure{"the folder holds no program", name, "programs end in .awl, .stl, .txt, .scl, .st, .il or .xml"};
   }
   return std::nullopt;
 }
@@ -398,12 +422,14 @@ std::vector<std::string> expandFolders(const std::vector<std::string>& given, co
     return std::ranges::any_of(settings.list(Opt::Exclude),
                                [&](const std::string& pattern) { return fitsPattern(name, pattern); });
   });
+  keepEachOnce(files);
   return files;
 }
 
 std::vector<std::vector<std::string>> groupByProgram(const Context& context, const std::vector<std::string>& given) {
   std::vector<std::vector<std::string>> ofProjects;
   std::vector<std::string> files = expandProjects(given, context.settings);
+  keepEachOnce(files);
   std::erase_if(files, [&](const std::string& file) {
     if (!isProjectProgram(file)) return false;
     ofProjects.push_back({file});

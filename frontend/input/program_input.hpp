@@ -73,8 +73,8 @@ void addUnread(Report& report, const Program& program, const UnreadCode& unread)
 void printUnread(const Context& context, std::string_view command, const Program& program, const UnreadCode& unread,
                  const std::vector<std::string>& files);
 
-/// Folders replaced by the programs in and below them (.awl, .stl, .xml), sorted by name, and, where they are one
-/// program, by its symbol tables and data blocks; other names unchanged.
+/// Folders replaced by the programs in and below them, by their ending or their content (program_text.hpp), sorted by
+/// name, and, where they are one program, by its symbol tables and data blocks; other names unchanged.
 std::vector<std::string> expandFolders(const std::vector<std::string>& names);
 /// Why a folder stands for no program.
 std::optional<Failure> folderFailure(const std::vector<std::string>& names);

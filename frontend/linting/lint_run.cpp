@@ -18,6 +18,7 @@
 #include "frontend/input/protected_findings.hpp"
 #include "frontend/input/text_sources.hpp"
 #include "frontend/linting/baseline.hpp"
+#include "frontend/linting/rule_scope.hpp"
 #include "frontend/settings/code_list.hpp"
 #include "frontend/simulation/witness_report.hpp"
 #include "frontend/stl/syntax_message.hpp"
@@ -58,18 +59,21 @@ RunWriter runWriter(const Context& context, const Settings& settings, EvidenceNa
 
 /// The programs one after the other, or several at once where each needs a processor only: the prover has threads and a
 /// limit of memory of its own. The reports have the order of the programs.
+/// `linted`: becomes what they are.
 std::vector<Report> lintSideBySide(const Context& context, const std::vector<std::vector<std::string>>& programs,
-                                   bool prove, EvidenceNames& names, const std::string& traces) {
-  std::vector<const Settings*> settings;
-  for (const std::vector<std::string>& files : programs) settings.push_back(&context.settingsOf(files));
+                                   bool prove, EvidenceNames& names, const std::string& traces,
+                                   std::vector<LintedProgram>& linted) {
+  for (const std::vector<std::string>& files : programs) linted.push_back({&context.settingsOf(files), {}});
   std::vector<Report> reports(programs.size());
   std::vector<std::exception_ptr> failures(programs.size());
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
     for (std::size_t i = next++; i < programs.size(); i = next++) {
       try {
-        reports[i] = lintProgram(*settings[i], readInput(context, *settings[i], programs[i]), programs[i], prove,
-                                 runWriter(context, *settings[i], names, traces));
+        const Settings& settings = *linted[i].settings;
+        const ProgramInput input = readInput(context, settings, programs[i]);
+        linted[i].target = input.program.target;
+        reports[i] = lintProgram(settings, input, programs[i], prove, runWriter(context, settings, names, traces));
       } catch (...) {
         failures[i] = std::current_exception();
       }
@@ -166,16 +170,20 @@ Report lintProgram(const Settings& settings, const ProgramInput& given, const st
 
 Report lintFiles(const Context& context, const std::vector<std::string>& files, bool prove, const std::string& traces) {
   EvidenceNames names;
-  const std::vector<std::vector<std::string>> groups = groupByProgram(context, files);
+  std::vector<LintedProgram> linted;
+  std::vector<Report> parts = lintSideBySide(context, groupByProgram(context, files), prove, names, traces, linted);
   Report report;
-  if (groups.size() == 1) {
-    const Settings& settings = context.settingsOf(groups.front());
-    report = lintProgram(settings, readInput(context, settings, groups.front()), groups.front(), prove,
-                         runWriter(context, settings, names, traces));
+  if (parts.size() == 1) {
+    report = std::move(parts.front());
   } else {
     ReportMerger merger;
-    for (Report& part : lintSideBySide(context, groups, prove, names, traces)) merger.add(part);
+    for (const Report& part : parts) merger.add(part);
     report = merger.take();
+  }
+  for (const Failure& idle : idleRules(linted, prove)) {
+    print(context.err, {idle.message, {}, idle.help});
+    report.reasons.push_back(
+        {Exit::Failed, idle.place.empty() ? "nothing was checked" : fmt::format("{} was not checked", idle.place)});
   }
   for (const std::string& defect : report.defects) context.err << fmt::format("rungproof: {}\n", defect);
   sortFindings(report);

@@ -11,19 +11,6 @@ namespace rungproof {
 
 namespace {
 
-std::optional<PartMark> markOf(const Json& json) {
-  const Json* const mark = json.find("shard");
-  if (mark == nullptr) return std::nullopt;
-  const auto number = [&](std::string_view key) -> std::uint64_t {
-    const Json* const value = mark->find(key);
-    return value == nullptr ? 0 : value->natural().value_or(0);
-  };
-  const PartMark result{static_cast<std::uint32_t>(number("part")), static_cast<std::uint32_t>(number("of")),
-                        static_cast<int>(number("exit"))};
-  const bool isGood = result.part >= 1 && result.part <= result.of && result.of <= 10000 && result.exit <= 3;
-  return isGood ? std::optional(result) : std::nullopt;
-}
-
 /// The items that are not there yet.
 void addNew(Json& list, const Json* more) {
   if (more == nullptr) return;
@@ -42,7 +29,8 @@ std::variant<std::vector<Json>, Failure> partsIn(const std::vector<PartFile>& fi
     std::optional<Json> value = Json::read(file.text);
     if (!value) return Failure{fmt::format("'{}' is no JSON", file.name), {}, "join files of one form"};
     const Json* const place = markIn(*value);
-    marks.push_back(place == nullptr ? std::nullopt : markOf(*place));
+    const Json* const mark = place == nullptr ? nullptr : place->find("shard");
+    marks.push_back(mark == nullptr ? std::nullopt : markOf(*mark));
     values.push_back(std::move(*value));
   }
   auto order = orderOfParts(files, marks);

@@ -1,7 +1,6 @@
 // Parts in the JUnit form: the suites of files once, the properties of all parts in one suite.
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <pugixml.hpp>
 #include <set>
 #include <sstream>
@@ -17,12 +16,8 @@ std::optional<PartMark> markIn(const pugi::xml_document& document) {
                                   .child("testsuite")
                                   .child("properties")
                                   .find_child_by_attribute("property", "name", "shard");
-  PartMark result;
-  if (std::sscanf(mark.attribute("value").as_string(), "%u/%u exit %d", &result.part, &result.of, &result.exit) != 3)
-    return std::nullopt;
-  const bool isGood =
-      result.part >= 1 && result.part <= result.of && result.of <= 10000 && result.exit >= 0 && result.exit <= 3;
-  return isGood ? std::optional(result) : std::nullopt;
+  const std::optional<Json> value = Json::read(mark.attribute("value").as_string());
+  return value ? markOf(*value) : std::nullopt;
 }
 
 std::string printedNode(pugi::xml_node node) {

@@ -33,6 +33,8 @@ std::variant<std::vector<std::size_t>, Failure> orderOfParts(const std::vector<P
           {},
           "give each part once"};
     place = i;
+    const NamedPart first{files[0].name, marks[0]->programs}, other{files[i].name, marks[i]->programs};
+    if (auto failure = i == 0 ? std::nullopt : differenceOfRuns(first, other)) return *failure;
   }
   const auto missing = std::ranges::find(order, nobody);
   if (missing != order.end())
@@ -40,6 +42,18 @@ std::variant<std::vector<std::size_t>, Failure> orderOfParts(const std::vector<P
                    {},
                    "what it would have found is not known"};
   return order;
+}
+
+std::optional<PartMark> markOf(const Json& mark) {
+  const auto number = [&](std::string_view key) -> std::uint64_t {
+    const Json* const value = mark.find(key);
+    return value == nullptr ? 0 : value->natural().value_or(0);
+  };
+  const Json* const programs = mark.find("programs");
+  const PartMark result{static_cast<std::uint32_t>(number("part")), static_cast<std::uint32_t>(number("of")),
+                        static_cast<int>(number("exit")), programs == nullptr ? Json::array() : *programs};
+  const bool isGood = result.part >= 1 && result.part <= result.of && result.of <= 10000 && result.exit <= 3;
+  return isGood ? std::optional(result) : std::nullopt;
 }
 
 Exit worstExit(const std::vector<std::optional<PartMark>>& marks) {

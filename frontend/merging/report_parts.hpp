@@ -11,6 +11,7 @@
 
 #include "frontend/files/exit.hpp"
 #include "frontend/files/failure.hpp"
+#include "frontend/files/json.hpp"
 
 namespace rungproof {
 
@@ -32,7 +33,18 @@ JoinResult joinParts(const std::vector<PartFile>& files);
 struct PartMark {
   std::uint32_t part = 0, of = 0;
   int exit = 0;
+  Json programs = Json::array();  ///< what its verdicts depend on (partJson() in report_part.hpp)
 };
+/// The mark as a value of JSON has it; nothing if it is none.
+std::optional<PartMark> markOf(const Json& mark);
+
+/// A part as far as it is compared with others.
+struct NamedPart {
+  const std::string& file;
+  const Json& programs;
+};
+/// Why the two are not of one run: other texts, another CPU, other options.
+std::optional<Failure> differenceOfRuns(const NamedPart& a, const NamedPart& b);
 /// The places of the files by the number of their part, or what is missing or wrong.
 std::variant<std::vector<std::size_t>, Failure> orderOfParts(const std::vector<PartFile>& files,
                                                              const std::vector<std::optional<PartMark>>& marks);

@@ -70,7 +70,8 @@ std::string withLastPart(const Program& program, std::string_view written, const
 }
 
 std::string meantName(const Program& program, std::string_view written, const OperandLookup& lookup) {
-  if (const std::string mended = mendedOperand(written, Spelling::International, false); !mended.empty()) return mended;
+  const std::string spelled = mendedOperand(written, Spelling::International, false);
+  if (!spelled.empty() && (!spelled.starts_with('"') || lookup(spelled))) return spelled;
   if (const std::string mended = withDigits(written, lookup); !mended.empty()) return mended;
   std::vector<std::string_view> names;
   for (const Symbol& symbol : program.symbols) names.emplace_back(symbol.name);

@@ -8,6 +8,7 @@
 #include "frontend/cli/cli.hpp"
 #include "frontend/report.hpp"
 #include "frontend/report/long_array.hpp"
+#include "frontend/report_part.hpp"
 #include "frontend/testing/test_output.hpp"
 
 namespace rungproof {
@@ -157,8 +158,7 @@ void write(const Report& report, const ReportStyle& style, std::ostream& out) {
     row["assumptions"] = std::move(all);
     json["properties"].push_back(std::move(row));
   }
-  if (report.part)
-    json["shard"] = {{"part", report.part->part}, {"of", report.part->of}, {"exit", static_cast<int>(exitOf(report))}};
+  if (report.part) json["shard"] = partJson(report);
   if (report.selfCheck) json["self_check"] = selfCheckJson(*report.selfCheck);
   if (style.verbose && report.techniques) json["techniques"] = techniquesJson(*report.techniques);
   if (report.tests != nullptr) {

@@ -6,6 +6,7 @@
 
 #include "analysis/rule.hpp"
 #include "frontend/report_basis.hpp"
+#include "frontend/report_part.hpp"
 #include "frontend/testing/test_output.hpp"
 #include "frontend/text/excerpt.hpp"
 #include "frontend/text/safe_text.hpp"
@@ -57,16 +58,15 @@ class JunitWriter {
     writeComparison();
     if (report_.tests != nullptr) writeTests(*report_.tests);
     if (report_.properties.empty() && !report_.comparison) writeBasis();
-    if (report_.part) writePart(*report_.part);
+    if (report_.part) writePart();
     setCounts(root_, tests_, failures_, 0);
   }
 
  private:
-  void writePart(const ReportPart& part) {
+  void writePart() {
     pugi::xml_node mark = root_.child("testsuite").prepend_child("properties").append_child("property");
     mark.append_attribute("name") = "shard";
-    mark.append_attribute("value") =
-        fmt::format("{}/{} exit {}", part.part, part.of, static_cast<int>(exitOf(report_))).c_str();
+    mark.append_attribute("value") = partJson(report_).dump(-1, true).c_str();
   }
 
   /// A file without findings is one passed case, so that it does not vanish from the statistics.

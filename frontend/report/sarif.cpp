@@ -13,6 +13,7 @@
 #include "frontend/linting/fingerprint.hpp"
 #include "frontend/report/long_array.hpp"
 #include "frontend/report_basis.hpp"
+#include "frontend/report_part.hpp"
 #include "ir/manual.hpp"
 
 namespace rungproof {
@@ -163,9 +164,7 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
               {"columnKind", "unicodeCodePoints"},
               {"results", Json::array()}};
   if (const std::vector<std::string> basis = basisOf(report); !basis.empty()) run["properties"]["basis"] = basis;
-  if (report.part)
-    run["properties"]["shard"] = {
-        {"part", report.part->part}, {"of", report.part->of}, {"exit", static_cast<int>(exitOf(report))}};
+  if (report.part) run["properties"]["shard"] = partJson(report);
   const Json log = {
       {"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"version", "2.1.0"}, {"runs", Json::array({run})}};
   writeWithItems(out, log, "results", 6, findings + report.properties.size(), resultAt);

@@ -44,6 +44,7 @@ class Merge : public testing::Test {
   TemporaryFolder folder_;
   std::string program_;
   int worst_ = 0;
+  int count_ = 0;  ///< of reports that are kept
 };
 
 TEST_F(Merge, JsonOfThreePartsSaysWhatOneRunSays) {
@@ -107,6 +108,50 @@ TEST_F(Merge, RefusesWhatIsNotTheWholeRun) {
     EXPECT_EQ(wrong.exit, 2) << shard;
     EXPECT_TRUE(wrong.says("is no value for --shard")) << shard;
   }
+}
+
+// What would be joined is one run: the same texts, CPU and options in every part.
+TEST_F(Merge, RefusesPartsOfOtherRuns) {
+  const std::string text = contentOf(program_);
+  const auto part = [&](const std::string& form, const std::string& program, const std::string& shard,
+                        const std::vector<std::string>& options = {}) {
+    const std::string file = folder_.path("run." + form);
+    std::vector<std::string> arguments = {"prove",   "--isolated", program,    "--builtin",
+                                          "--shard", shard,        "--format", form + "=" + file};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    run(arguments);
+    return folder_.file(std::to_string(++count_) + "." + form, contentOf(file));
+  };
+  for (const char* form : {"json", "sarif", "junit"}) {
+    const std::string first = part(form, program_, "1/2"), second = part(form, program_, "2/2");
+    EXPECT_NE(merge({first, second}).exit, 2) << form << merge({first, second}).err;
+    // Another machine has the file in a folder of its own; how long it may look is its own affair.
+    const std::string copy = folder_.file("copy.awl", text);
+    EXPECT_NE(merge({first, part(form, copy, "2/2", {"--timeout", "60s", "--jobs", "1"})}).exit, 2) << form;
+
+    const auto refuses = [&](const std::string& other, const std::string& reason) {
+      const ProgramRun joined = merge({first, other});
+      EXPECT_EQ(joined.exit, 2) << form << " " << reason << joined.out;
+      EXPECT_TRUE(joined.says(reason)) << joined.err;
+      EXPECT_TRUE(joined.says("'" + first + "'") && joined.says("'" + other + "'")) << joined.err;
+      EXPECT_TRUE(joined.says("= help: make all parts ")) << joined.err;
+    };
+    refuses(part(form, folder_.file("other.awl", text + " "), "2/2"), "the parts are about different texts");
+    folder_.file("p.awl", text + " ");
+    refuses(part(form, program_, "2/2"), "has another text than that of");
+    folder_.file("p.awl", text);
+    refuses(part(form, program_, "2/2", {"--scan-time", "10ms"}), "with --scan-time 10ms");
+    refuses(part(form, program_, "2/2", {"--bound", "5"}), "with --bound 5");
+    refuses(part(form, program_, "2/2", {"--cpu", "224"}), "224, 2004 edition");
+    refuses(part(form, program_, "2/2", {"--only", "a"}), "with --only a");
+    refuses(part(form, program_, "2/2", {"--props", folder_.file("q.prop", "prove q: I0.0 or not I0.0\n")}),
+            "the parts are about different texts");
+  }
+  // A report of an older version names no program.
+  nlohmann::json old = nlohmann::json::parse(contentOf(part("json", program_, "2/2")));
+  old["shard"].erase("programs");
+  EXPECT_TRUE(merge({part("json", program_, "1/2"), folder_.file("old.json", old.dump())})
+                  .says("does not say which program it is about"));
 }
 
 // A program that nobody can read is 2 in each part, and joined.

@@ -40,6 +40,28 @@ TEST_F(Meant, NamesThatAreNear) {
   EXPECT_TRUE(prove("never Q 0.0").says("write Q0.0, without a blank"));
 }
 
+/// A name in quotation marks is a symbol, as a statement list of the S7-200 has it too, and never an address.
+TEST_F(Meant, QuotedNamesAreSymbols) {
+  EXPECT_EQ(prove("\"Motor\" implies \"Start\"").exit, 0);
+  EXPECT_TRUE(prove("never \"Motr\"").says("did you mean '\"Motor\"'?"));
+  EXPECT_TRUE(prove("never \"Q0.0\"").says("'\"Q0.0\"' is no address and no known symbol"));
+  // Letters that look like Latin ones make no name of the program.
+  const ProgramRun cyrillic = prove("never \"\u041D\u0430\u0441\u043E\u0441\"");
+  EXPECT_EQ(cyrillic.exit, 2);
+  EXPECT_FALSE(cyrillic.says("did you mean")) << cyrillic.out;
+  EXPECT_TRUE(cyrillic.says("give the symbol table with --symbols")) << cyrillic.out;
+  const std::string named = folder_.file("n.awl",
+                                         "SYMBOL_TABLE\n\u041D\u0430\u0441\u043E\u0441,Q0.0,\nEND_SYMBOL_TABLE\n"
+                                         "//@ prove x: \"\u041D\u0430\u0441\u043E\u0441\" implies I0.0\n" +
+                                             mainBlock("Network 1\nLD I0.0\n= Q0.0\n"));
+  const ProgramRun found = run({"prove", "--isolated", named});
+  EXPECT_EQ(found.exit, 0) << found.out << found.err;
+  const std::string iec = folder_.file(
+      "i.st", "PROGRAM Main\nVAR Motor AT %QX0.0, Start AT %IX0.0 : BOOL; END_VAR\nMotor := Start;\nEND_PROGRAM\n");
+  const std::string statement = folder_.file("i.prop", "prove x: \"Motor\" implies \"Start\"\n");
+  EXPECT_EQ(run({"prove", "--isolated", iec, "--props", statement}).exit, 0);
+}
+
 TEST_F(Meant, MisspeltWordsOfTheLanguage) {
   const std::vector<std::pair<std::string, std::string>> statements = {
       {"Start adn Motor", "and"},
