@@ -268,7 +268,7 @@ class BlockReader {
     BoxLabels labels;
     forEachBelow(objects, [&](const pugi::xml_node& node) {
       if (localName(node) == "LabelDeclaration")
-        labels.taken.emplace_back(childNamed(node, "Label").attribute("Name").value());
+        labels.taken.emplace(childNamed(node, "Label").attribute("Name").value());
     });
     for (const pugi::xml_node& child : objects.children()) {
       comment(child, block.directives, 0);

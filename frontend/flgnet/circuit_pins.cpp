@@ -40,10 +40,6 @@ bool CircuitPins::isTimerOrCounter(std::size_t i) const {
   return row != nullptr && (row->frame == BoxFrame::Timer || row->frame == BoxFrame::Counter);
 }
 
-bool CircuitPins::isRead(std::size_t i) const {
-  return std::ranges::any_of(part(i).outputs, [](const Output& output) { return output.readers > 0; });
-}
-
 std::vector<std::string> CircuitPins::inputPins(std::size_t i) const {
   switch (elementOf(i)) {
     case Element::Contact:
@@ -63,7 +59,9 @@ std::vector<std::string> CircuitPins::inputPins(std::size_t i) const {
   }
   std::vector<std::string> pins;
   if (isGate(i)) {
-    for (std::size_t k = 1; k <= std::max<std::size_t>(part(i).cardinality, 2); ++k)
+    // A number that no drawing can mean shows in the first pins that are open.
+    const std::size_t most = part(i).inputs.size() + 16;
+    for (std::size_t k = 1; k <= std::min(std::max<std::size_t>(part(i).cardinality, 2), most); ++k)
       pins.push_back(fmt::format("in{}", k));
     return pins;
   }
@@ -153,9 +151,10 @@ void CircuitPins::check(std::size_t i, std::vector<Fault>& faults) const {
 void CircuitPins::checkInputs(std::size_t i, std::vector<Fault>& faults) const {
   const Part& p = part(i);
   const auto add = [&](std::string message) { faults.push_back({i, std::move(message)}); };
-  const std::vector<std::string> known = inputPins(i);
+  const std::vector<std::string> pins = inputPins(i);
+  const std::set<std::string_view> known(pins.begin(), pins.end());
   for (const Pin& pin : p.inputs) {
-    if (std::ranges::find(known, pin.name) == known.end()) add(fmt::format("pin {} is not covered", excerpt(pin.name)));
+    if (!known.contains(pin.name)) add(fmt::format("pin {} is not covered", excerpt(pin.name)));
     const bool isValue = isValuePin(i, pin.name);
     if (isValue && pin.source != Pin::Source::Value) add(fmt::format("pin {} needs an operand", excerpt(pin.name)));
     if (!isValue && isConstant(pin) && !isTrue(pin)) add(fmt::format("the constant at {} is not covered", pin.name));

@@ -29,8 +29,6 @@ class CircuitPins {
   bool isTimerOrCounter(std::size_t i) const;
   /// EN is a jump around what it does.
   bool jumps(std::size_t i) const { return isCall(i) || (box(i) != nullptr && !isTimerOrCounter(i)); }
-  /// Another part reads from it.
-  bool isRead(std::size_t i) const;
 
   /// All that it can have but a call, in their order.
   std::vector<std::string> inputPins(std::size_t i) const;

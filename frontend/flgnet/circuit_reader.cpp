@@ -116,7 +116,7 @@ class CircuitReader {
     std::string from, to;
     for (const pugi::xml_node& child : node.children()) {
       const std::string_view kind = localName(child), name = child.attribute("Name").value();
-      if (kind == "Negated") result.negated.push_back(inSmallLetters(name));
+      if (kind == "Negated") result.negated.insert(inSmallLetters(name));
       if (kind == "Instance") setInstance(child, result);
       if (kind != "TemplateValue") continue;
       const std::string value(trimmed(child.child_value()));
@@ -187,7 +187,7 @@ class CircuitReader {
       Pin input = source;
       input.name = pin;
       if (target.input(pin) != nullptr) fault(end, fmt::format("two wires end at {}", excerpt(pin)));
-      target.inputs.push_back(std::move(input));
+      target.inputs.add(std::move(input));
     }
   }
 
@@ -196,12 +196,7 @@ class CircuitReader {
       fault(end, fmt::format("the {} {} of the wire does not exist", what, excerpt(id)));
   }
 
-  Output& outputOf(std::size_t part, const std::string& pin) {
-    std::vector<Output>& outputs = circuit_.parts[part].outputs;
-    const auto found = std::ranges::find(outputs, pin, &Output::name);
-    if (found != outputs.end()) return *found;
-    return outputs.emplace_back(Output{pin, 0, {}});
-  }
+  Output& outputOf(std::size_t part, const std::string& pin) { return circuit_.parts[part].outputs.named(pin); }
 
   const XmlText& xml_;
   const XmlText::Part& part_;
@@ -213,16 +208,6 @@ class CircuitReader {
 };
 
 }  // namespace
-
-const Pin* Part::input(std::string_view pin) const {
-  const auto found = std::ranges::find(inputs, pin, &Pin::name);
-  return found == inputs.end() ? nullptr : &*found;
-}
-const Output* Part::output(std::string_view pin) const {
-  const auto found = std::ranges::find(outputs, pin, &Output::name);
-  return found == outputs.end() ? nullptr : &*found;
-}
-bool Part::isNegated(std::string_view pin) const { return std::ranges::find(negated, pin) != negated.end(); }
 
 std::optional<Circuit> readCircuit(const XmlText& xml, const XmlText::Part& part, const pugi::xml_node& net,
                                    SyntaxSink& sink) {

@@ -22,7 +22,8 @@ using s7300::FbdBox;
 using step7::OperandForm;
 using step7::Statement;
 
-constexpr int mostNesting = 7;  // general knowledge
+constexpr int mostNesting = 7;     // general knowledge
+constexpr int mostInString = 200;  ///< parts that stand behind each other in one string, written by calls in calls
 
 class CircuitWriter : private CircuitPins {
  public:
@@ -32,7 +33,12 @@ class CircuitWriter : private CircuitPins {
         labels_(labels),
         sink_(sink),
         network_(network),
-        state_(circuit.parts.size()) {}
+        parts_(circuit.parts.size()) {
+    for (std::size_t i = 0; i < size(); ++i) {
+      const auto isReadOutput = [](const Output& output) { return output.readers > 0; };
+      parts_[i].readOutputs = std::ranges::count_if(part(i).outputs, isReadOutput);
+    }
+  }
 
   bool write() {
     for (const step7::Name& label : labelsAhead_) {
@@ -43,18 +49,24 @@ class CircuitWriter : private CircuitPins {
     }
     for (const Fault& found : faults()) fault(found.part, found.message);
     for (std::size_t i = 0; i < size() && !isDamaged_; ++i) {
-      if (isRead(i)) continue;
+      if (parts_[i].readOutputs > 0) continue;
       prepare(i, true);
       execute(i);
     }
     for (std::size_t i = 0; i < size() && !isDamaged_; ++i) {
-      if (state_[i] == State::Waiting) fault(i, "the part reads what comes from itself");
+      if (parts_[i].state == State::Waiting) fault(i, "the part reads what comes from itself");
     }
     return !isDamaged_;
   }
 
  private:
-  enum class State : std::uint8_t { Waiting, Prepared };
+  enum class State : std::uint8_t { Waiting, Open, Prepared };
+  struct Prepared {
+    State state = State::Waiting;
+    std::ptrdiff_t readOutputs = 0;
+    int height = 0;  ///< parentheses that are open at once while its string is written
+    int length = 0;  ///< parts behind each other in its string
+  };
   using Net = std::pair<std::size_t, std::string>;
 
   void fault(std::size_t i, const std::string& message) {
@@ -97,7 +109,7 @@ class CircuitWriter : private CircuitPins {
     operand.form = OperandForm::Word;
     operand.span = span_;
     do operand.name = fmt::format("_{:03}", ++labels_.last);
-    while (std::ranges::find(labels_.taken, operand.name) != labels_.taken.end());
+    while (labels_.taken.contains(operand.name));
     return operand;
   }
   void mark(const Operand& label) { network_.statements.back().label = {label.name, span_}; }
@@ -363,50 +375,74 @@ class CircuitWriter : private CircuitPins {
 
   // Order -----------------------------------------------------------------------------------------------------------
 
-  /// Runs what the part reads and what cannot stand inside its string. `isLeading`: no parenthesis is open there.
-  void prepare(std::size_t i, bool isAtStart) {
-    if (isDamaged_ || state_[i] == State::Prepared) return;
-    if (!open_.insert(i).second) return fault(i, "the part reads what comes from itself");
-    for (const Pin& pin : part(i).inputs) {
-      const bool isParameter = isCall(i) && pin.name != enablePin;
+  /// Runs what the part reads and what cannot stand inside its string. `isAtStart`: no parenthesis is open there.
+  /// A drawing may be any number of parts long, so what is open stands in a list.
+  void prepare(std::size_t first, bool isAtStart) {
+    struct Opened {
+      std::size_t part;
+      bool isAtStart;
+      std::size_t pin = 0;
+    };
+    std::vector<Opened> opened;
+    const auto open = [&](std::size_t i, bool atStart) {
+      if (parts_[i].state == State::Open) return fault(i, "the part reads what comes from itself");
+      parts_[i].state = State::Open;
+      opened.push_back({i, atStart});
+    };
+    if (parts_[first].state != State::Prepared) open(first, isAtStart);
+    while (!opened.empty() && !isDamaged_) {
+      Opened& top = opened.back();
+      const std::size_t i = top.part;
+      if (top.pin == part(i).inputs.size()) {
+        measure(i);
+        parts_[i].state = State::Prepared;
+        opened.pop_back();
+        continue;
+      }
+      const Pin& pin = part(i).inputs[top.pin];
       if (pin.source == Pin::Source::Flow && !kept_.contains({pin.part, pin.from})) {
-        const bool leads = isAtStart && isLeading(i, pin.name);
-        prepare(pin.part, leads);
-        if (isDamaged_) return;
+        const bool leads = top.isAtStart && isLeading(i, pin.name);
+        if (parts_[pin.part].state != State::Prepared) {
+          open(pin.part, leads);
+          continue;
+        }
         if (mustBeKept(pin, leads)) keep(pin.part);
       }
-      const bool isOperand = pin.source == Pin::Source::Value && !isTrue(pin) && !part(i).isNegated(pin.name);
-      if (!isParameter || pin.source == Pin::Source::Open) continue;
-      if (isOperand || (pin.source == Pin::Source::Value && !part(i).isNegated(pin.name))) continue;
-      span_ = part(i).span;
-      const Operand bit = freshBit();
-      start(i, pin);
-      emit("=", bit);
-      inputBits_[{i, pin.name}] = bit;
+      if (isCall(i) && pin.name != enablePin) keepParameter(i, pin);
+      ++top.pin;
     }
-    open_.erase(i);
-    state_[i] = State::Prepared;
+  }
+
+  /// A parameter takes an operand: what else stands there is kept in a bit.
+  void keepParameter(std::size_t i, const Pin& pin) {
+    const bool isOperand = pin.source == Pin::Source::Value && !part(i).isNegated(pin.name);
+    if (isOperand || pin.source == Pin::Source::Open) return;
+    span_ = part(i).span;
+    const Operand bit = freshBit();
+    start(i, pin);
+    emit("=", bit);
+    inputBits_[{i, pin.name}] = bit;
   }
 
   bool mustBeKept(const Pin& pin, bool leads) const {
-    const Part& source = part(pin.part);
-    const auto isReadOutput = [](const Output& output) { return output.readers > 0; };
-    return source.output(pin.from)->readers > 1 || !source.output(pin.from)->targets.empty() ||
-           std::ranges::count_if(source.outputs, isReadOutput) > 1 || (jumps(pin.part) && !leads) ||
-           heightOf(pin.part) >= mostNesting - 1;
+    const Output& output = *part(pin.part).output(pin.from);
+    const Prepared& source = parts_[pin.part];
+    return output.readers > 1 || !output.targets.empty() || source.readOutputs > 1 || (jumps(pin.part) && !leads) ||
+           source.height >= mostNesting - 1 || source.length >= mostInString;
   }
 
-  /// Parentheses that are open at once while the part's string is written.
-  int heightOf(std::size_t i) const {
-    int height = 0;
+  /// The string of a part whose inputs are prepared.
+  void measure(std::size_t i) {
+    Prepared& own = parts_[i];
     const bool joins = elementOf(i) == Element::EdgeContact || isCompare(i);
-    if (joins) height = 1;
+    own.height = joins ? 1 : 0;
+    own.length = 1;
     for (const Pin& pin : part(i).inputs) {
       if (isValuePin(i, pin.name) || operandOf(pin) != nullptr || (isCall(i) && pin.name != enablePin)) continue;
-      const int below = pin.source == Pin::Source::Flow ? heightOf(pin.part) : 0;
-      height = std::max(height, below + (isGate(i) ? 1 : 0));
+      const bool isFlow = pin.source == Pin::Source::Flow;
+      own.height = std::max(own.height, (isFlow ? parts_[pin.part].height : 0) + (isGate(i) ? 1 : 0));
+      if (isFlow) own.length = std::max(own.length, parts_[pin.part].length + 1);
     }
-    return height;
   }
 
   /// Runs the part and keeps what others read of it.
@@ -490,8 +526,7 @@ class CircuitWriter : private CircuitPins {
   BoxLabels& labels_;
   SyntaxSink& sink_;
   step7::NetworkSyntax& network_;
-  std::vector<State> state_;
-  std::set<std::size_t> open_;  ///< parts that are being prepared
+  std::vector<Prepared> parts_;
   std::map<Net, Operand> kept_, inputBits_, outputBits_;
   std::uint32_t bits_ = 0;
   Span span_;

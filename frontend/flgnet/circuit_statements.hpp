@@ -4,6 +4,8 @@
 // of them runs what it reads from first. Part of frontend/flgnet.
 #pragma once
 
+#include <set>
+
 #include "frontend/flgnet/circuit.hpp"
 #include "frontend/stl/syntax_sink.hpp"
 
@@ -11,7 +13,7 @@ namespace rungproof::flgnet {
 
 /// Labels that boxes need are numbered over the block.
 struct BoxLabels {
-  std::vector<std::string> taken;  ///< those of the block itself
+  std::set<std::string> taken;  ///< those of the block itself
   int last = 0;
 };
 

@@ -1,4 +1,6 @@
 // Drawn circuits: the statements of one become one network, which keeps its drawing.
+#include <unordered_map>
+
 #include "frontend/iec/iec_lowering.hpp"
 
 namespace rungproof::iec {
@@ -63,11 +65,14 @@ void Lowering::place(const CircuitPicture& picture) {
     if (drawing.elements[i].face != nullptr) faces[i] = std::make_shared<BoxFace>(*drawing.elements[i].face);
   }
   using At = ShownValue::At;
+  std::unordered_map<std::uint32_t, std::vector<const Shown*>> byOffset;
+  for (const Shown& shown : shown_) byOffset[shown.offset].push_back(&shown);
   for (const ShownValue& value : picture.values) {
     std::uint32_t found = noInstruction;
-    for (const Shown& shown : shown_) {
-      const bool isMeant = shown.offset == value.offset && shown.isStored == (value.at == At::Stored) &&
-                           (value.at != At::Member || shown.member == value.member);
+    for (const Shown* each : byOffset[value.offset]) {
+      const Shown& shown = *each;
+      const bool isMeant =
+          shown.isStored == (value.at == At::Stored) && (value.at != At::Member || shown.member == value.member);
       if (isMeant && (found == noInstruction || value.at != At::FirstRead)) found = shown.instruction;
     }
     if (value.part == ShownValue::Part::Whole) {

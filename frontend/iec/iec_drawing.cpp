@@ -2,6 +2,7 @@
 #include "frontend/iec/iec_drawing.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -17,6 +18,9 @@ namespace rungproof::iec {
 
 namespace {
 
+constexpr int mostNested = 400;
+constexpr int mostTaken = 2000;  // as many operators as an expression of structured text has
+
 class DrawingToStatements {
  public:
   DrawingToStatements(Program& program, const DrawnNetwork& network, Form form, BlockSyntax& block, SyntaxSink& sink)
@@ -26,17 +30,14 @@ class DrawingToStatements {
         drawnSink_(program),
         circuit_(network, placed(block), isInstance, true),
         isDone_(static_cast<std::size_t>(circuit_.count()), false),
-        flows_(static_cast<std::size_t>(circuit_.count())) {}
+        flows_(static_cast<std::size_t>(circuit_.count())),
+        written_(circuit_),
+        refused_(static_cast<std::size_t>(circuit_.count())) {}
 
   void run() {
     for (int i = 0; i < circuit_.count(); ++i) {
       const DrawnElement& e = circuit_.element(i);
       if (e.kind == DrawnKind::Contact) contacts_.insert(inCircuit(i));
-      if (e.kind != DrawnKind::Contact && e.kind != DrawnKind::InVariable && e.kind != DrawnKind::InOutVariable)
-        continue;
-      std::set<std::string> names;
-      addNames(e.text, names);
-      for (const std::string& name : names) read_.insert({circuit_.circuitOf(i), name});
     }
     const std::vector<int>& results = circuit_.results();
     const std::vector<int> byPosition = circuit_.resultsByPosition();
@@ -65,7 +66,7 @@ class DrawingToStatements {
     Statements byNumber = std::exchange(block_.body, {});
     isDone_.assign(isDone_.size(), false);
     flows_.assign(flows_.size(), {});
-    written_.clear();
+    written_ = WrittenNames(circuit_);
     before_.clear();
     edges_.clear();
     for (const int i : byPosition) attempt(i);
@@ -102,7 +103,7 @@ class DrawingToStatements {
     for (std::size_t k = first; k < block_.body.size(); ++k) block_.body[k].circuit = static_cast<int>(first) + 1;
     if (!circuit_.damaged()[static_cast<std::size_t>(circuit)])
       block_.body[first].drawn = pictureOf(circuit_, results, form_, isInstance);
-    if (std::ranges::find(circuits_, circuit) != circuits_.end()) return;
+    if (!isJoined_.insert(circuit).second) return;
     circuits_.push_back(circuit);
     firsts_.push_back(first);
   }
@@ -156,15 +157,19 @@ class DrawingToStatements {
   /// A result that cannot be written leaves a statement that was not read.
   void attempt(int i) {
     if (isDone_[static_cast<std::size_t>(i)]) return;
+    const int outside = std::exchange(taken_, 0);  // it is a statement of its own
+    const bool wasWriting = isWriting_;
     try {
       if (circuit_.damaged()[static_cast<std::size_t>(circuit_.circuitOf(i))] || circuit_.isInLoop(i))
         throw Unwritable{};
       write(i);
-      noteWritten(i);
+      written_.note(i);
     } catch (const Unwritable&) {
       Statement lost = statementAt(i, StatementKind::Unread);
       block_.body.push_back(std::move(lost));
     }
+    taken_ = outside;
+    isWriting_ = wasWriting;
     isDone_[static_cast<std::size_t>(i)] = true;
   }
 
@@ -269,10 +274,25 @@ class DrawingToStatements {
 
   /// The value at an output pin of an element.
   ExprPtr leaving(int i, const std::string& pin) {
-    if (++depth_ > 400) refuse(circuit_.element(i), "the drawing is nested too deeply");
-    ExprPtr made = leavingOf(i, pin);
-    --depth_;
-    return made;
+    const DrawnElement& element = circuit_.element(i);
+    const Load load{depth_ + 1, taken_ + 1};
+    Load& refused = refused_[static_cast<std::size_t>(i)];
+    if (load.depth >= refused.depth && load.taken >= refused.taken) throw Unwritable{};
+    depth_ = load.depth;
+    taken_ = load.taken;
+    try {
+      if (depth_ > mostNested)
+        refuse(element, fmt::format("more than {} elements stand in series: put a coil between them", mostNested));
+      if (taken_ > mostTaken)
+        refuse(element, fmt::format("more than {} elements lead to one result: put a coil between them", mostTaken));
+      ExprPtr made = leavingOf(i, pin);
+      depth_ = load.depth - 1;
+      return made;
+    } catch (const Unwritable&) {
+      depth_ = load.depth - 1;
+      if (load.depth <= refused.depth && load.taken <= refused.taken) refused = load;
+      throw;
+    }
   }
   ExprPtr leavingOf(int i, const std::string& pin) {
     const DrawnElement& element = circuit_.element(i);
@@ -310,7 +330,7 @@ class DrawingToStatements {
   ExprPtr shared(int i, Make&& make) {
     std::string& kept = flows_[static_cast<std::size_t>(i)];
     const Span span = circuit_.element(i).span;
-    if (!kept.empty() && !readsWritten(i)) return pathOf({kept}, span);
+    if (!kept.empty() && !written_.areReadAt(i)) return pathOf({kept}, span);
     if (!kept.empty()) {
       ExprPtr choice = callOf({"SEL"}, span);
       addArgument(*choice, readingOf("iec-ld-flow", "per-coil", span));
@@ -319,32 +339,13 @@ class DrawingToStatements {
       return choice;
     }
     const bool isCoil = circuit_.element(i).kind == DrawnKind::Coil;
+    const int outside = taken_;
     ExprPtr value = make();
     if (circuit_.consumersOf(i).size() + (isCoil ? 1 : 0) < 2) return value;
+    taken_ = outside;
     kept = hidden("flow", "BOOL", span);
     assign(i, pathOf({kept}, span), std::move(value));
     return pathOf({kept}, span);
-  }
-
-  /// Keeps what a result has written, if its circuit reads it as well.
-  void noteWritten(int i) {
-    const DrawnElement& e = circuit_.element(i);
-    std::set<std::string> names;
-    if (e.kind == DrawnKind::Coil || e.kind == DrawnKind::OutVariable || e.kind == DrawnKind::InOutVariable)
-      addNames(e.text, names);
-    for (const std::string& name : names) {
-      const InCircuit written{circuit_.circuitOf(i), name};
-      if (read_.contains(written)) written_.insert(written);
-    }
-  }
-  /// Whether the flow at an element reads a variable that a result of its circuit has written.
-  bool readsWritten(int i) const {
-    const auto first = written_.lower_bound({circuit_.circuitOf(i), std::string()});
-    if (first == written_.end() || first->first != circuit_.circuitOf(i)) return false;
-    const NamesUsed used = namesUsed(circuit_, i);
-    return std::ranges::any_of(used.read, [&](const std::string& name) {
-      return written_.contains({circuit_.circuitOf(i), name});
-    });
   }
 
   const DrawnPin* outputOf(const DrawnElement& element, const std::string& pin) const {
@@ -541,13 +542,18 @@ class DrawingToStatements {
   std::vector<std::string> flows_;
   std::set<InCircuit> contacts_;             ///< variables that contacts read
   std::map<InCircuit, std::string> before_;  ///< by variable that a coil has written: its value of before
-  std::set<InCircuit> read_;                 ///< by contacts and pins
-  std::set<InCircuit> written_;              ///< of these: by results so far
+  WrittenNames written_;                     ///< by results so far
   std::map<int, ExprPtr> edges_;             ///< by contact: its edge, once it was asked
   std::vector<int> circuits_;                ///< with statements
+  std::set<int> isJoined_;                   ///< the same
   std::vector<std::size_t> firsts_;          ///< parallel: the first statement of each
   std::set<std::string> isTaken_;            ///< of before_
-  int depth_ = 0;
+  /// Elements behind each other, and all, of the statement that is being made.
+  struct Load {
+    int depth = std::numeric_limits<int>::max(), taken = std::numeric_limits<int>::max();
+  };
+  std::vector<Load> refused_;  ///< by element: with that and more no value leaves it
+  int depth_ = 0, taken_ = 0;
   bool isWriting_ = false;
 };
 

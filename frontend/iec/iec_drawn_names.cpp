@@ -54,30 +54,69 @@ NamesUsed namesUsed(const DrawnCircuit& circuit, int result) {
     for (const DrawnPin& pin : e.outputs) addNames(pin.expression, used.written);
     if (e.kind == DrawnKind::Continuation) reach(circuit.connectorOf(i));
   }
+  used.looked = seen.size();
   return used;
+}
+
+WrittenNames::WrittenNames(const DrawnCircuit& circuit) : circuit_(&circuit) {
+  for (int i = 0; i < circuit.count(); ++i) {
+    const DrawnElement& e = circuit.element(i);
+    if (e.kind != DrawnKind::Contact && e.kind != DrawnKind::InVariable && e.kind != DrawnKind::InOutVariable) continue;
+    std::set<std::string> names;
+    addNames(e.text, names);
+    for (const std::string& name : names) unwritten_.insert({circuit.circuitOf(i), name});
+  }
+}
+
+void WrittenNames::note(int result) {
+  const DrawnElement& e = circuit_->element(result);
+  if (e.kind != DrawnKind::Coil && e.kind != DrawnKind::OutVariable && e.kind != DrawnKind::InOutVariable) return;
+  const int circuit = circuit_->circuitOf(result);
+  std::set<std::string> names;
+  addNames(e.text, names);
+  for (const std::string& name : names) {
+    if (unwritten_.erase({circuit, name}) > 0) written_[circuit].push_back(name);
+  }
+}
+
+bool WrittenNames::areReadAt(int element) {
+  const auto written = written_.find(circuit_->circuitOf(element));
+  if (written == written_.end()) return false;
+  Reading& reading = readings_[element];
+  if (reading.names.empty()) reading.names = namesUsed(*circuit_, element).read;
+  const std::vector<std::string>& names = written->second;
+  for (; !reading.isOfWritten && reading.asked < names.size(); ++reading.asked)
+    reading.isOfWritten = reading.names.contains(names[reading.asked]);
+  return reading.isOfWritten;
 }
 
 bool ordersDiffer(const DrawnCircuit& circuit, const std::vector<int>& order, const std::vector<int>& other) {
   std::map<int, std::size_t> place;
   for (std::size_t k = 0; k < other.size(); ++k) place[other[k]] = k;
-  struct Users {
-    std::vector<std::size_t> writers, all;  ///< by place in `order`
+  // By name: the places in `other`, one behind the last user so far and one behind the last writer.
+  struct Last {
+    std::size_t user = 0, writer = 0;
   };
-  std::map<std::string, Users> users;
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const NamesUsed used = namesUsed(circuit, order[k]);
-    for (const std::string& name : used.written) users[name].writers.push_back(k);
-    for (const std::string& name : used.written) users[name].all.push_back(k);
-    for (const std::string& name : used.read) users[name].all.push_back(k);
+  std::map<std::string, Last> last;
+  std::size_t looked = 0;
+  const std::size_t most = 1'000'000 + 64 * static_cast<std::size_t>(circuit.count());
+  for (const int i : order) {
+    const NamesUsed used = namesUsed(circuit, i);
+    looked += used.looked;
+    if (looked > most) return true;  // both orders are written, which says nothing wrong
+    const std::size_t end = place[i] + 1;
+    for (const std::string& name : used.written) {
+      if (end < last[name].user) return true;
+    }
+    for (const std::string& name : used.read) {
+      if (end < last[name].writer) return true;
+    }
+    for (const std::string& name : used.written) last[name].writer = std::max(last[name].writer, end);
+    for (const std::set<std::string>* names : {&used.written, &used.read}) {
+      for (const std::string& name : *names) last[name].user = std::max(last[name].user, end);
+    }
   }
-  return std::ranges::any_of(users, [&](const auto& row) {
-    const Users& of = row.second;
-    return std::ranges::any_of(of.writers, [&](std::size_t writer) {
-      return std::ranges::any_of(of.all, [&](std::size_t one) {
-        return (writer < one) != (place[order[writer]] < place[order[one]]) && writer != one;
-      });
-    });
-  });
+  return false;
 }
 
 }  // namespace rungproof::iec

@@ -292,14 +292,10 @@ class SdNetworkReader {
       return fault(circuit_.parts[part].span, fmt::format("pin {} is given twice", excerpt(pin)));
     source.name = std::move(pin);
     source.span = circuit_.parts[part].span;
-    if (std::exchange(source.isNegated, false)) circuit_.parts[part].negated.push_back(source.name);
-    circuit_.parts[part].inputs.push_back(std::move(source));
+    if (std::exchange(source.isNegated, false)) circuit_.parts[part].negated.insert(source.name);
+    circuit_.parts[part].inputs.add(std::move(source));
   }
-  flgnet::Output& outputOf(std::size_t part, const std::string& pin) {
-    std::vector<flgnet::Output>& outputs = circuit_.parts[part].outputs;
-    const auto found = std::ranges::find(outputs, pin, &flgnet::Output::name);
-    return found != outputs.end() ? *found : outputs.emplace_back(flgnet::Output{pin, 0, {}});
-  }
+  flgnet::Output& outputOf(std::size_t part, const std::string& pin) { return circuit_.parts[part].outputs.named(pin); }
 
   /// A part that inverts the flow.
   Pin inverted(Pin pin) {
@@ -467,7 +463,7 @@ class SdNetworkReader {
     }
     if (isGate && arguments.empty()) return;  // the flow alone
     if (isGate) part.cardinality = arguments.size() + 1;
-    if (row.isNegated) part.negated.emplace_back("operand");
+    if (row.isNegated) part.negated.insert("operand");
     const std::size_t index = add(std::move(part));
     connect(index, std::string(row.flowPin), flow_);
     std::size_t next = 0;

@@ -155,7 +155,7 @@ class DocumentReader {
       cursor.skipSpace();
       cursor.take('(');
       cursor.skipSpace();
-      labels.taken.emplace_back(cursor.word());
+      labels.taken.emplace(cursor.word());
     }
   }
 
