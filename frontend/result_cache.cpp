@@ -19,7 +19,6 @@
 #include "engine/platform/waitable.hpp"
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/sha256.hpp"
-#include "frontend/input/program_text.hpp"
 #include "frontend/settings/config.hpp"
 
 namespace rungproof {
@@ -118,8 +117,7 @@ bool mayHaveChangedSince(const std::string& name, std::int64_t moment) {
   return status && status->changed > moment - tick;
 }
 
-/// Names below a folder, which of them are programs although their ending does not say so, and the configuration that
-/// counts there: whatever comes or goes is another question.
+/// Names below a folder, and the configuration that counts there: whatever comes or goes is another question.
 std::string surroundingsOf(const std::string& given) {
   std::error_code error;
   const fs::path place(given);
@@ -131,8 +129,7 @@ std::string surroundingsOf(const std::string& given) {
        !error && entry != end; entry.increment(error))
     names.push_back(pathName(entry->path()));
   std::ranges::sort(names);
-  for (const std::string& name : names)
-    text += name + (hasSharedEnding(name) && isProgramText(name) ? ": program\n" : "\n");
+  for (const std::string& name : names) text += name + '\n';
   return text;
 }
 

@@ -16,6 +16,7 @@
 #include "frontend/command.hpp"
 #include "frontend/explain/certificate_head.hpp"
 #include "frontend/files/sha256.hpp"
+#include "frontend/input/program_text.hpp"
 #include "frontend/input/proof_input.hpp"
 #include "frontend/input/protected_findings.hpp"
 #include "frontend/result_cache.hpp"
@@ -335,6 +336,8 @@ std::string questionOf(const Arguments& arguments, const Context& context) {
     parts.push_back(fmt::format("{}:", list->size()));
     parts.insert(parts.end(), list->begin(), list->end());
   }
+  // A note that becomes a program keeps its name.
+  for (const std::string& name : arguments.files) std::ranges::move(programTextsIn(name), std::back_inserter(parts));
   return fmt::format("{}", fmt::join(parts, "\n"));
 }
 

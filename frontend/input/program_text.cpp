@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <string_view>
 #include <utility>
 
 #include "analysis/read_errors.hpp"
+#include "engine/platform/names.hpp"
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/file_reader.hpp"
 #include "frontend/input/project.hpp"
@@ -91,6 +93,19 @@ bool isProgramText(const std::string& name) {
   if (!hasHeading && step7::isSymbolList(text)) return false;
   if (!hasHeading && stlLikeness(text).share < shareOfStatements && !step7::step7Likeness(text).isStep7()) return false;
   return readsAsProgram(name, hasHeading);
+}
+
+std::vector<std::string> programTextsIn(const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error), end;
+       !error && entry != end; entry.increment(error)) {
+    std::string name = pathName(entry->path());
+    if (entry->is_regular_file(error) && hasSharedEnding(name) && isProgramText(name)) names.push_back(std::move(name));
+  }
+  std::ranges::sort(names);
+  return names;
 }
 
 }  // namespace rungproof

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace rungproof {
 
@@ -12,5 +13,8 @@ bool hasSharedEnding(const std::string& name);
 /// Whether such a file is a program: it has the heading of a block, or is little else than statements. Tables, traces
 /// and notes are none. Only what begins like a program is read as a whole.
 bool isProgramText(const std::string& name);
+
+/// All of them in and below a folder, sorted; nothing of a file.
+std::vector<std::string> programTextsIn(const std::string& folder);
 
 }  // namespace rungproof

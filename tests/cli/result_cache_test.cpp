@@ -205,6 +205,23 @@ TEST_F(ResultCacheTest, AFileThatChangesDuringTheRunIsNotKept) {
   EXPECT_EQ(later.find()->out, "result");
 }
 
+// The names of the folder stay the same, what it stands for does not.
+TEST_F(ResultCacheTest, ANoteBecomesAProgram) {
+  folder_.file("m/a.awl", "//@ prove off: never Q0.1\nNetwork 1\nLD I0.0\n= Q0.0\n");
+  folder_.file("m/b.txt", "to be done\n");
+  const auto prove = [&] {
+    std::istringstream in;
+    std::ostringstream out, err;
+    runProgram({"prove", folder_.path("m"), "--isolated", "--cache", cache().string()}, {in, out, err});
+    return out.str();
+  };
+  EXPECT_EQ(prove().find("VIOLATED"), std::string::npos);
+  folder_.file("m/b.txt",
+               "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\n//@ prove on: never Q0.2\nNetwork 1\nLD I0.0\n= Q0.2\n"
+               "END_ORGANIZATION_BLOCK\n");
+  EXPECT_NE(prove().find("VIOLATED  on"), std::string::npos);
+}
+
 TEST_F(ResultCacheTest, NothingIsKeptUnasked) {
   std::istringstream in;
   std::ostringstream out, err;
