@@ -90,6 +90,8 @@ void askOut003(Asking& asking) {
   }
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<RuleQuestion>> conflicts;  // by the two instructions
   for (const auto& [place, list] : writes) {
+    const auto isByLatch = [](const BitWrite* write) { return isLatch(roleOf(*write->instruction)); };
+    if (std::ranges::none_of(list, isByLatch)) continue;  // thousands of coils on one bit are as many pairs squared
     ConflictPairs pairs;
     for (std::size_t i = 0; i < list.size(); ++i) {
       for (std::size_t k = i + 1; k < list.size(); ++k) addConflict(asking, *list[i], *list[k], pairs);

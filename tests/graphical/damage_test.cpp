@@ -117,6 +117,34 @@ TEST(XmlDamage, DepthIsBounded) {
   program = readText("t.xml", "<project>" + deep.substr(0, 300'000));
 }
 
+// Contacts in parallel are one expression, contacts in series one in the other: both have a limit, and what stands
+// beside them is read. 2000 and 400 elements are the limits of one result.
+TEST(XmlDamage, LongNetworksAreRefusedAndTheRestIsRead) {
+  const std::vector<std::string> bits = {"a:BOOL@%IX0.0", "y:BOOL@%QX0.0", "z:BOOL@%QX0.1"};
+  const auto messages = [&](const std::string& elements) {
+    const Program program = readText(
+        "t.xml", projectText(pouText("Main", "program", "<localVars>" + declarations(bits) + "</localVars>", "LD",
+                                     railElement(1) + elements + contactElement(900'000, {"1"}, "a", "", 0, 900) +
+                                         coilElement(900'001, {"900000"}, "z", "", 0, 900)),
+                             ""));
+    std::string text;
+    for (const Finding& finding : program.findings) text += finding.message + "\n";
+    return text;
+  };
+  constexpr int many = 100'000;
+  std::string parallel, series;
+  std::vector<std::string> ends;
+  for (int i = 2; i < many; ++i) {
+    parallel += contactElement(i, {"1"}, "a");
+    series += contactElement(i, {std::to_string(i - 1)}, "a");
+    ends.push_back(std::to_string(i));
+  }
+  EXPECT_EQ(messages(parallel + coilElement(many, ends, "y")),
+            "more than 2000 elements lead to one result: put a coil between them\n");
+  EXPECT_EQ(messages(series + coilElement(many, {std::to_string(many - 1)}, "y")),
+            "more than 400 elements stand in series: put a coil between them\n");
+}
+
 TEST(XmlDamage, TenMegabytesAreRead) {
   // 10 MB: one body with thousands of circuits, and one with a row of contacts that has no end.
   std::string wide = railElement(1);

@@ -221,6 +221,34 @@ TEST(Drawing7, GatesNestDeeperThanTheCpu) {
   }
 }
 
+// A drawing is as long as it likes: contacts in series are a string that bits of local memory cut.
+TEST(Drawing7, AnyNumberOfContactsInSeries) {
+  DrawnNet net;
+  int before = -1;
+  for (int i = 0; i < 20'000; ++i) {
+    const int contact = net.part("Contact");
+    net.in(i == 7 ? "M0.1" : "M0.0", contact, "operand");
+    if (before >= 0) net.flow({before, "out"}, {{contact, "in"}});
+    before = contact;
+  }
+  const int coil = net.part("Coil");
+  net.flow({before, "out"}, {{coil, "in"}});
+  net.in("Q4.0", coil, "operand");
+  const Program program = drawnOb1(net);
+  ASSERT_EQ(findings7(program), "");
+  for (int inputs = 0; inputs < 4; ++inputs) EXPECT_EQ(outputsFor(program, inputs) & 1, inputs == 3 ? 1 : 0) << inputs;
+}
+
+// The number of pins is that of the wires, whatever the part says.
+TEST(Drawing7, AGateSaysMorePinsThanItHas) {
+  DrawnNet net;
+  const int gate = net.part("O", typed("Card", "4000000000")), coil = net.part("Coil");
+  net.in("M0.0", gate, "in1");
+  net.flow({gate, "out"}, {{coil, "in"}});
+  net.in("Q4.0", coil, "operand");
+  EXPECT_NE(findings7(drawnOb1(net)).find("pin in2 is open"), std::string::npos);
+}
+
 // Random circuits of gates, contacts and negations whose results are read in several places, against their own values.
 TEST(Drawing7, RandomCircuits) {
   constexpr int circuits = 200, trials = 16, coils = 3;
