@@ -312,11 +312,14 @@ bool holdsMain(const Program& alone, const std::string& file, const std::vector<
 
 /// Whether a configuration in the file runs programs that stand in other files: then all of them are one project.
 bool runsProgramsOfOthers(const Program& alone) {
-  return alone.syntax != nullptr && std::ranges::any_of(alone.syntax->instances, [&](const auto& instance) {
-           return std::ranges::none_of(alone.syntax->blocks, [&](const iec::BlockSyntax& block) {
-             return equalsIgnoringCase(block.name, instance.type);
-           });
-         });
+  if (alone.syntax == nullptr)  // a file with a configuration alone
+    return alone.pous.empty() &&
+           iec::foldedName(alone.sources->file(0).text()).find("END_CONFIGURATION") != std::string::npos;
+  return std::ranges::any_of(alone.syntax->instances, [&](const iec::InstanceSyntax& instance) {
+    return std::ranges::none_of(alone.syntax->blocks, [&](const iec::BlockSyntax& block) {
+      return equalsIgnoringCase(block.name, instance.type);
+    });
+  });
 }
 
 /// What a file of a command is, read alone. All that are of an S7-300/400 are one program.
