@@ -2,6 +2,7 @@
 // encoder and printers consume it. Operands keep the place where they were written.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -29,11 +30,17 @@ struct ProjectSyntax;  // the syntax tree, ir/iec/syntax.hpp
 /// How a value of an IEC 61131-3 program is meant.
 enum class ValueType : std::uint8_t { Signed, Unsigned, Real };
 
-/// What a variable of a subrange, an enumeration or a time of day can hold: the runs of values, in rising order.
+/// The values of a subrange, an enumeration or a time of day: its runs, in rising order.
 struct ValueLimits {
   int width = 0;  ///< bits: 8, 16, 32, 64
   bool isSigned = false;
   std::vector<std::pair<std::int64_t, std::int64_t>> runs;  ///< first and last value
+  bool isKept = false;  ///< what the program writes is one of these: constants, and what stands in `sources`
+  std::vector<std::uint32_t> sources{};  ///< first bytes of variables with limits of their own
+
+  bool hold(std::int64_t value) const {
+    return std::ranges::any_of(runs, [&](const auto& run) { return run.first <= value && value <= run.second; });
+  }
 };
 
 enum class PouKind : std::uint8_t { Main, Subroutine, Interrupt };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "analysis/encoding/site_name.hpp"
@@ -259,11 +260,30 @@ void ScanEncoding::constrainStart(const Place& place, Node node) {
   totalConstraints_.push_back(legal);
 }
 
+/// Whether a variable never held another value than those of its type: not what comes from outside, nor copies of it.
+bool ScanEncoding::isOfItsType(std::uint32_t offset) const {
+  std::set<std::uint32_t> met;
+  std::vector<std::uint32_t> open = {offset};
+  while (!open.empty()) {
+    const std::uint32_t at = open.back();
+    open.pop_back();
+    const auto limits = program_.valueLimits.find(at);
+    if (limits == program_.valueLimits.end() || !limits->second.isKept) return false;
+    for (int i = 0; i < limits->second.width / 8; ++i) {
+      if (isInput(memoryPlace(Area::V, at + static_cast<std::uint32_t>(i), Width::Byte, 0))) return false;
+    }
+    for (const std::uint32_t source : limits->second.sources) {
+      if (met.insert(source).second) open.push_back(source);
+    }
+  }
+  return true;
+}
+
 /// What is kept over the loss of power was a value of its type.
 void ScanEncoding::constrainStartsByType() {
   if (!options_.initialRetentive) return;
   for (const auto& [offset, limits] : program_.valueLimits) {
-    if (!isRetentive(*options_.retentive, Area::V, offset)) continue;
+    if (!isRetentive(*options_.retentive, Area::V, offset) || !isOfItsType(offset)) continue;
     const int width = limits.width;
     const Graph::Bits value = store_.load(Area::V, offset * 8, width);
     const auto upTo = [&](Graph::Bits a, Graph::Bits b) {

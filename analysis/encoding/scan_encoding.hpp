@@ -188,6 +188,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   Node init(const Place& place) const;
   bool isRetained(const Place& place) const;
   void constrainStart(const Place& place, Node node);
+  bool isOfItsType(std::uint32_t offset) const;
   void constrainStartsByType();
   bool setsClock() const;
   bool isFixed(Choice choice) const { return !options_.coversAllReadings && options_.choices.isFixed(choice); }

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "frontend/iec/iec_value_limits.hpp"
 #include "ir/iec/cpu.hpp"
 #include "ir/iec/dialect.hpp"
 #include "ir/iec/walk.hpp"
@@ -58,6 +59,7 @@ void Lowering::run() {
   nameVariables();
   freeNamedVariables();
   nameOperands();
+  findKeptLimits(program_, initial_);
   program_.data.push_back({0, initial_, {}});
   for (const Directive& directive : project_.directives) program_.directives.push_back(directive);
 }

@@ -92,7 +92,9 @@ bool isSubrange(const Type& type) {
 
 std::optional<ValueLimits> limitsOf(const Type& type) {
   constexpr std::int64_t msOfDay = 86'400'000;
-  ValueLimits limits{type.width, type.isSigned, {}};
+  ValueLimits limits;
+  limits.width = type.width;
+  limits.isSigned = type.isSigned;
   if (isSubrange(type)) {
     limits.runs = {{type.low, type.high}};
   } else if (type.kind == Kind::Date && type.name.ends_with("TOD")) {

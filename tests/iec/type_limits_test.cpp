@@ -57,5 +57,33 @@ TEST(TypeLimits, LaterValuesMayLieOutside) {  // only the start is of the type: 
   EXPECT_TRUE(output.has("VIOLATED  part")) << output.text;
 }
 
+TEST(TypeLimits, AStateThatStepsThroughItsNamesIsKeptInThem) {
+  const IecOutput output = proofOfIec(limitedProgram(
+      "VAR_INPUT go : BOOL; END_VAR VAR RETAIN m : Mode; END_VAR VAR next : Mode; lost : BOOL; END_VAR",
+      "lost := FALSE;\nCASE m OF Off: IF go THEN next := Hand; END_IF; Hand: next := Auto; Auto: next := "
+      "Off; ELSE lost := TRUE; END_CASE;\nm := next;",
+      "//@ initial retentive\n//@ prove known: not lost"));
+  EXPECT_TRUE(output.has("PROVED  known")) << output.text;
+}
+
+// A value outside was stored in an earlier run, and is kept over the loss of power.
+TEST(TypeLimits, WhatWasStoredOutsideIsKept) {
+  const IecOutput stored = proofOfIec(
+      limitedProgram("VAR_INPUT x : INT; END_VAR VAR RETAIN p : INT (3..10); END_VAR VAR q : BOOL; END_VAR",
+                     "q := p > 10; p := x;", "//@ initial retentive\n//@ prove first: first_scan implies not q"),
+      {"--choice", "iec-subrange=stored"});
+  EXPECT_TRUE(stored.has("VIOLATED  first")) << stored.text;
+}
+
+TEST(TypeLimits, CopiesOfWhatComesFromOutsideAreKeptAsTheyCame) {
+  const auto program = [](const std::string& before) {
+    return limitedProgram("VAR n : Mode; q : BOOL; END_VAR VAR RETAIN m : Mode; END_VAR",
+                          "q := m <> Off AND m <> Hand AND m <> Auto; m := n;",
+                          before + "//@ initial retentive\n//@ prove first: first_scan implies not q");
+  };
+  EXPECT_TRUE(proofOfIec(program("//@ external n\n")).has("VIOLATED  first"));
+  EXPECT_TRUE(proofOfIec(program("")).has("PROVED  first"));
+}
+
 }  // namespace
 }  // namespace rungproof
