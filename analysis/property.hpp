@@ -126,6 +126,7 @@ struct PropertySet {
   std::vector<UnreadStatement> unread;
   std::vector<Property> properties;  ///< assumptions and pulses as well as goals, in the order of the text
   std::vector<ExternalRange> externals;
+  std::vector<Operand> resetDominant;  ///< bits whose set and reset in one scan are meant to end off
   bool initialRetentive = false;
 };
 

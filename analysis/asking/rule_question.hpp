@@ -28,14 +28,13 @@ struct RuleQuestion {
   const Instruction* place = nullptr;
   Node bad = noNode;
   const Instruction* other = nullptr;  ///< the other half of a conflict
-  int aspect = 0;                      ///< which of the rule's kinds of question, by its own count; see `noted`
+  int aspect = 0;                      ///< which of the rule's kinds of question, by its own count
   BitRow row{};                        ///< of conflicts and outputs: the bits concerned; empty: none, or one operand
   std::vector<AlikePlace> alike{};     ///< other networks behind the same condition
+  bool isUsual = false;                ///< worth a note, whatever the severity of the rule
   const Rule* rule = nullptr;          ///< who asks; set by Asking::ask
 
-  /// Aspects from here on: what is usual and worth a note, whatever the severity of the rule.
-  enum : int { noted = 1000 };
-  Severity severity() const { return aspect >= noted ? Severity::Note : rule->severity; }
+  Severity severity() const { return isUsual ? Severity::Note : rule->severity; }
 
   /// The direct operands of both places.
   Operands operands() const;

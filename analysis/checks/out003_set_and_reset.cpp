@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
-#include <sstream>
-#include <string>
+#include <span>
 
 #include "analysis/asking/asking.hpp"
 #include "analysis/rule.hpp"
@@ -40,26 +38,11 @@ bool isResetLast(const EncodedScan& encoding, const Instruction& first, const In
   return isReset(roleOf(last)) && !isInInterrupt(encoding, first) && !isInInterrupt(encoding, last);
 }
 
-/// Whether `//@ reset dominant Q0.0, Motor` names the bit, by its address or its symbol.
-bool isStatedResetDominant(const Program& program, Area area, std::uint32_t byte, unsigned bit) {
-  const Operand operand = direct(area, Width::Bit, byte, static_cast<std::uint8_t>(bit));
-  const Symbol* symbol = program.symbolOf(operand);
-  const auto isSame = [](std::string_view a, std::string_view b) {
-    return std::ranges::equal(
-        a, b, {}, [](unsigned char c) { return std::tolower(c); }, [](unsigned char c) { return std::tolower(c); });
-  };
-  for (const Directive& directive : program.directives) {
-    std::istringstream words(directive.text);
-    std::string word;
-    if (!(words >> word) || !isSame(word, "reset") || !(words >> word) || !isSame(word, "dominant")) continue;
-    while (std::getline(words >> std::ws, word, ',')) {
-      while (!word.empty() && (word.back() == ' ' || word.back() == '"')) word.pop_back();
-      if (word.starts_with('"')) word.erase(0, 1);
-      if (isSame(word, toString(operand)) || (symbol != nullptr && isSame(word, std::string(symbol->name))))
-        return true;
-    }
-  }
-  return false;
+/// Whether `//@ reset dominant Q0.0, Motor` names the bit.
+bool isStatedResetDominant(std::span<const Operand> stated, const Place& place) {
+  return std::ranges::any_of(stated, [&](const Operand& bit) {
+    return bit.area == place.area && bit.offset == place.byte() && bit.bit == place.bit();
+  });
 }
 
 using ConflictPairs = std::map<std::pair<const Instruction*, const Instruction*>, Node>;
@@ -97,7 +80,7 @@ void askOut003(Asking& asking) {
       for (std::size_t k = i + 1; k < list.size(); ++k) addConflict(asking, *list[i], *list[k], pairs);
     }
     const std::uint32_t bit = bitPosition(place.area, place.byte(), place.bit());
-    const bool isStated = isStatedResetDominant(asking.program(), place.area, place.byte(), place.bit());
+    const bool isStated = isStatedResetDominant(asking.properties().resetDominant, place);
     for (const auto& [pair, bad] : pairs) {
       const bool resetWins = isResetLast(asking.encoding(), *pair.first, *pair.second);
       if (resetWins && isStated) continue;
@@ -105,7 +88,7 @@ void askOut003(Asking& asking) {
       auto same = std::ranges::find(ofPair, bad, &RuleQuestion::bad);
       if (same == ofPair.end()) {
         ofPair.push_back({.place = pair.second, .bad = bad, .other = pair.first, .row = {place.area}});
-        if (resetWins) ofPair.back().aspect = RuleQuestion::noted;
+        ofPair.back().isUsual = resetWins;
         same = std::prev(ofPair.end());
       }
       same->row.bits.push_back(bit);

@@ -17,11 +17,10 @@ constexpr std::size_t mostHalves = 8;  ///< of a conflict that are shown beside 
 std::string helpOf(const RuleQuestion& question, int scans, Shown shown) {
   const Rule& rule = *question.rule;
   const std::string_view advice = rule.tell.advice;
-  const bool isNoted = question.aspect >= RuleQuestion::noted;
   if (rule.ask.wantsYes) return fmt::format("proved for every run; {}", advice);
   if (isAskedByProve(rule) && shown == Shown::Finding)
-    return fmt::format("'rungproof prove --builtin' shows the run{}{}", isNoted ? "; " : "",
-                       isNoted ? advice : std::string_view());
+    return fmt::format("'rungproof prove --builtin' shows the run{}{}", question.isUsual ? "; " : "",
+                       question.isUsual ? advice : std::string_view());
   return fmt::format("seen in scan {} of a run that the engine repeats{}{}", scans, advice.empty() ? "" : "; ", advice);
 }
 

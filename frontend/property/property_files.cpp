@@ -33,20 +33,6 @@ void report(Program& program, std::uint32_t file, std::string message, std::stri
   program.findings.push_back(std::move(finding));
 }
 
-/// Statements that rules read beside those in comments.
-void keepForRules(Program& program, std::uint32_t file, std::string_view text) {
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = text.substr(begin, end - begin);
-    if (line.starts_with("reset"))
-      program.directives.push_back({std::string(line.substr(0, line.find_first_of("#\r"))),
-                                    {file, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(line.size())},
-                                    -1,
-                                    0});
-    begin = end + 1;
-  }
-}
-
 }  // namespace
 
 void readPropertyText(std::uint32_t file, std::string_view text, std::uint32_t offset, const OperandLookup& lookup,
@@ -83,7 +69,6 @@ PropertySet readProperties(Program& program, const std::vector<std::string>& fil
       report(program, file, fmt::format("the property file '{}' declares nothing", name),
              "write for example: prove no_shoot_through: never Q0.0 and Q0.1");
     readPropertyText(file, text, 0, lookup, set, program.findings, &program.target, names);
-    keepForRules(program, file, text);
   }
   suggestMeant(program, before, lookup);
   return set;

@@ -60,7 +60,7 @@ class Parser {
     const Token head = peek();
     const std::string word = lower(head.text);
     if (word == "external") return external(set);
-    if (word == "reset") return resetDominant();
+    if (word == "reset") return resetDominant(set);
     if (word == "initial") {
       take();
       expect("retentive");
@@ -205,7 +205,7 @@ class Parser {
     end();
   }
 
-  void resetDominant() {  // rules read it in Program::directives, by address or symbol
+  void resetDominant(PropertySet& set) {
     take();
     expect("dominant");
     do {
@@ -213,8 +213,7 @@ class Parser {
       const Operand bit = address(take());
       if (bit.width != Width::Bit || isInputArea(bit.area) || hasBitAndWord(bit.area))
         throw Mistake{typeRule, t.span, "a bit that is set and reset is needed here", "write for example Q0.0, M0.1"};
-      if (step7::addressNamed(t.text) && lower(t.text) != lower(toString(bit)))
-        throw Mistake{addressRule, t.span, "an address is written here as findings write it", "write " + toString(bit)};
+      set.resetDominant.push_back(bit);
     } while (accept(","));
     end();
   }

@@ -187,6 +187,8 @@ pulse I0.0 at most every 50ms
 TEST(PropertyLanguage, BitsAreStatedToBeResetDominant) {
   Reading reading("reset dominant Q0.0, M1.2\n");
   ASSERT_TRUE(reading.findings.empty()) << reading.findings[0].message;
+  ASSERT_EQ(reading.set.resetDominant.size(), 2U);
+  EXPECT_EQ(toString(reading.set.resetDominant[1]), "M1.2");
   for (const char* wrong : {"reset dominant VW10", "reset dominant I0.0", "reset dominant T37", "reset dominant",
                             "reset Q0.0", "reset dominant Q0.0 Q0.1"}) {
     Reading mistaken(wrong);
