@@ -13,7 +13,7 @@ namespace rungproof {
 
 namespace {
 
-struct State {
+struct BaselineState {
   std::vector<std::string> files;
   std::string output;
   std::string show;
@@ -32,8 +32,8 @@ std::string tableOf(const Baseline& baseline) {
                             baseline.entries.size() == 1 ? "y" : "ies");
 }
 
-Action setup(ArgumentTable& table) {
-  auto state = std::make_shared<State>();
+Action setUpBaseline(ArgumentTable& table) {
+  auto state = std::make_shared<BaselineState>();
   table.arguments("FILE", state->files, "programs, symbol tables and data blocks; '-' is standard input", true);
   table.option("-o,--output", state->output, "FILE", "file to write; standard output without");
   table.option("--show", state->show, "BASELINE", "print what the baseline file lists");
@@ -94,7 +94,7 @@ extern constexpr Command baselineCommand = {
     .shows = option_group::Reading | option_group::Rules | option_group::Configuration,
     .formats = "json",
     .takesEachProgram = true,
-    .setup = setup,
+    .setup = setUpBaseline,
 };
 
 }  // namespace rungproof

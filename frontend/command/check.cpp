@@ -116,7 +116,7 @@ std::string plural(std::size_t count, std::string_view word) {
   return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
 }
 
-std::string textOf(const Checked& check, const Paint& paint, bool isQuiet) {
+std::string textOfCheck(const Checked& check, const Paint& paint, bool isQuiet) {
   std::string text;
   if (check.isStl && check.isGuessed)
     text +=
@@ -195,7 +195,7 @@ Exit judge(const Checked& check, const std::string& file, Context& context) {
   return exit;
 }
 
-Exit run(const CheckArguments& arguments, Context& context) {
+Exit runCheck(const CheckArguments& arguments, Context& context) {
   // The programs of a project come one after the other, each below its name; all else is one program.
   const std::vector<std::string> programs = expandProjects(arguments.files, context.settings);
   const bool isProject = std::ranges::all_of(programs, isProjectProgram);
@@ -213,7 +213,7 @@ Exit run(const CheckArguments& arguments, Context& context) {
     } else {
       for (std::size_t i = 0; i < checks.size(); ++i) {
         if (checks.size() > 1) text += programs[i] + "\n";
-        text += textOf(checks[i], Paint{context.color && output.file.empty()}, context.settings.flag(Opt::Quiet));
+        text += textOfCheck(checks[i], Paint{context.color && output.file.empty()}, context.settings.flag(Opt::Quiet));
       }
     }
     if (!context.write(output, text)) exit = Exit::Failed;
@@ -221,13 +221,13 @@ Exit run(const CheckArguments& arguments, Context& context) {
   return exit;
 }
 
-Action setup(ArgumentTable& table) {
+Action setUpCheck(ArgumentTable& table) {
   auto arguments = std::make_shared<CheckArguments>();
   table.arguments("FILE", arguments->files, "files of one program; a folder stands for its programs");
   table.word("--language", arguments->language, {"ladder", "stl"}, "ladder|stl",
              "view that must show the networks; in stl a network may hold several rungs (from the program)");
   table.flag(watchOption, arguments->watch, watchHelp);
-  return [arguments](Context& context) { return run(*arguments, context); };
+  return [arguments](Context& context) { return runCheck(*arguments, context); };
 }
 
 }  // namespace
@@ -250,7 +250,7 @@ extern constexpr Command checkCommand = {
     .shows = option_group::Reading | option_group::Output | option_group::Configuration,
     .formats = "text|json",
     .takesEachProgram = true,
-    .setup = setup,
+    .setup = setUpCheck,
 };
 
 }  // namespace rungproof

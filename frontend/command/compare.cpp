@@ -10,14 +10,13 @@
 #include "frontend/simulation/expected_lanes.hpp"
 #include "frontend/simulation/stimulus_reader.hpp"
 #include "frontend/simulation/trace_file.hpp"
+#include "frontend/stl/syntax_message.hpp"
 
 namespace rungproof {
 
 namespace {
 
-constexpr std::string_view noInstruction = "SYN006";  // frontend/stl/syntax_message.hpp
-
-struct Arguments {
+struct CompareArguments {
   std::string expected;
   std::string actual;
   std::vector<std::string> tolerances;
@@ -32,13 +31,13 @@ std::vector<Symbol> symbolsOf(const Context& context, std::vector<Failure>& fail
   for (const Finding& finding : program.findings) {
     const SourceFile& file = program.sources->file(finding.span.file);
     const Position at = file.position(finding.span.offset);
-    if (finding.severity == Severity::Error && finding.rule != noInstruction)
+    if (finding.severity == Severity::Error && finding.rule != syntaxMessage(Syntax::NoInstruction).id)
       failures.push_back({finding.message, fmt::format("{}:{}:{}", file.name(), at.line, at.column), finding.help});
   }
   return program.symbols;
 }
 
-Exit run(const Arguments& arguments, Context& context) {
+Exit runCompare(const CompareArguments& arguments, Context& context) {
   std::vector<Failure> failures;
   const std::optional<std::string> expectedText = readFile(context, arguments.expected, failures);
   const std::optional<std::string> actualText = readFile(context, arguments.actual, failures);
@@ -90,15 +89,15 @@ Exit run(const Arguments& arguments, Context& context) {
   return finish(context, std::move(report));
 }
 
-Action setup(ArgumentTable& table) {
-  auto arguments = std::make_shared<Arguments>();
+Action setUpCompare(ArgumentTable& table) {
+  auto arguments = std::make_shared<CompareArguments>();
   table.argument("EXPECTED", arguments->expected, "the trace as it should be (CSV, VCD)");
   table.argument("ACTUAL", arguments->actual, "the trace as it is (CSV, VCD); '-' is standard input");
   table.option("--tolerance", arguments->tolerances, "SIGNAL=VALUE", "how far a value may be off; may be repeated");
   table.number("--slack", arguments->slack, "N", "scans by which a value may come earlier or later");
   table.option("--trace", arguments->traces, "FILE",
                "write both, each expected curve below the actual one: .html .svg .vcd .json; may be repeated");
-  return [arguments](Context& context) { return run(*arguments, context); };
+  return [arguments](Context& context) { return runCompare(*arguments, context); };
 }
 
 }  // namespace
@@ -121,7 +120,7 @@ extern constexpr Command compareCommand = {
         "    rungproof compare --tolerance VW10=2 --slack 1 expected.csv trace.csv\n"
         "    rungproof compare trace.csv scope.vcd --rename CH1=Q0.0 --trace both.html\n",
     .shows = option_group::Traces | option_group::Output | option_group::Configuration,
-    .setup = setup,
+    .setup = setUpCompare,
 };
 
 }  // namespace rungproof

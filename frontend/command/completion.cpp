@@ -153,7 +153,7 @@ std::string fishScript() {
   return text;
 }
 
-Action setup(ArgumentTable& table) {
+Action setUpCompletion(ArgumentTable& table) {
   auto shell = std::make_shared<std::string>();
   table.argument("SHELL", *shell, "bash, zsh or fish");
   return [shell](Context& context) {
@@ -175,7 +175,7 @@ extern constexpr Command completionCommand = {
     .shows = 0,
     .needsNoConfig = true,
     .formats = "text",
-    .setup = setup,
+    .setup = setUpCompletion,
 };
 
 }  // namespace rungproof

@@ -13,7 +13,7 @@ namespace rungproof {
 
 namespace {
 
-std::string listText(const std::vector<std::string>& items) {
+std::string listTextOfConfig(const std::vector<std::string>& items) {
   std::string text = "[";
   for (const std::string& item : items) text += (text.size() > 1 ? ", " : "") + tomlText(item);
   return text + "]";
@@ -23,7 +23,7 @@ std::string valueText(const OptionInfo& info, const Settings& settings) {
   if (info.arity == Arity::Flag) return settings.flag(info.id) ? "true" : "false";
   if (info.id == Opt::Edition) return tomlText(editionName(settings.target().edition));
   if (info.arity == Arity::One) return tomlText(settings.text(info.id));
-  return listText(settings.list(info.id));
+  return listTextOfConfig(settings.list(info.id));
 }
 
 std::string_view chosen(const ChoiceInfo& info, const Settings& settings) {
@@ -56,7 +56,7 @@ std::string configText(const Settings& settings) {
         {fmt::format("{} = \"{}\"", info.key, chosen(info, settings)), settings.choiceOrigin(info.choice)});
   }
   if (!settings.inputs().empty())
-    options.push_back({fmt::format("inputs = {}", listText(settings.inputs())), "configuration"});
+    options.push_back({fmt::format("inputs = {}", listTextOfConfig(settings.inputs())), "configuration"});
   std::string text;
   appendLines(text, options);
   text += "\n# points that the manual leaves open, see 'rungproof explain choices'\n[choices]\n";
@@ -71,9 +71,9 @@ std::string configText(const Settings& settings) {
   for (const auto& [id, lines] : rules) text += fmt::format("\n[rules.{}]\n{}", id, lines);
   if (!settings.fileIgnores().empty()) text += "\n[per-file-ignores]\n";
   for (const FileIgnore& ignore : settings.fileIgnores())
-    text += fmt::format("{} = {}\n", tomlText(ignore.pattern), listText(ignore.codes));
+    text += fmt::format("{} = {}\n", tomlText(ignore.pattern), listTextOfConfig(ignore.codes));
   if (!settings.propertyFiles().empty())
-    text += fmt::format("\n[properties]\nfiles = {}\n", listText(settings.propertyFiles()));
+    text += fmt::format("\n[properties]\nfiles = {}\n", listTextOfConfig(settings.propertyFiles()));
   return text;
 }
 
@@ -161,7 +161,7 @@ std::string textIn(const std::string& form, const Settings& settings) {
   return form == "schema" ? configSchema() : configText(settings);
 }
 
-Action setup(ArgumentTable& table) {
+Action setUpConfig(ArgumentTable& table) {
   auto files = std::make_shared<std::vector<std::string>>();
   table.arguments("FILE", *files, "files whose configuration is wanted; the current folder without", true);
   return [files](Context& context) {
@@ -185,7 +185,7 @@ extern constexpr Command configCommand = {
         "schema of the file, for editors.\n",
     .shows = option_group::All,
     .formats = "text|json|schema",
-    .setup = setup,
+    .setup = setUpConfig,
 };
 
 }  // namespace rungproof

@@ -14,7 +14,7 @@ namespace rungproof {
 
 namespace {
 
-struct Arguments {
+struct DiffArguments {
   SideArguments sides;
   std::string form = "ladder";
   int width = 140;
@@ -23,12 +23,12 @@ struct Arguments {
 
 /// Git calls an external diff with path, old file, old hash, old mode, new file, new hash, new mode, and for a file
 /// that was renamed its new path and a remark.
-bool isFromGit(const Arguments& arguments) { return arguments.rest.size() == 5 || arguments.rest.size() == 7; }
+bool isFromGit(const DiffArguments& arguments) { return arguments.rest.size() == 5 || arguments.rest.size() == 7; }
 
 constexpr std::string_view noFile = "/dev/null";
 
 /// The path in the repository; the arguments become those of a user.
-std::string takeFromGit(Arguments& arguments) {
+std::string takeFromGit(DiffArguments& arguments) {
   std::string path = arguments.sides.before;
   if (arguments.rest.size() == 7) path += " -> " + arguments.rest[5];
   arguments.sides.before = arguments.sides.after;
@@ -37,11 +37,11 @@ std::string takeFromGit(Arguments& arguments) {
   return path;
 }
 
-Exit compare(const Arguments& arguments, Context& context);
+Exit compareForDiff(const DiffArguments& arguments, Context& context);
 
 /// For git a difference is no failure: any other exit code than 0 would end its run.
-Exit run(Arguments arguments, Context& context) {
-  if (!isFromGit(arguments)) return compare(arguments, context);
+Exit runDiff(DiffArguments arguments, Context& context) {
+  if (!isFromGit(arguments)) return compareForDiff(arguments, context);
   const std::string path = takeFromGit(arguments);
   const bool isAdded = arguments.sides.before == noFile, isRemoved = arguments.sides.after == noFile;
   context.out << Paint{context.color}.bold(lineText(path))
@@ -50,7 +50,7 @@ Exit run(Arguments arguments, Context& context) {
                               : "\n");
   if (isAdded || isRemoved) return Exit::Clean;
   context.out << std::flush;
-  const Exit exit = compare(arguments, context);
+  const Exit exit = compareForDiff(arguments, context);
   return exit == Exit::Failed ? exit : Exit::Clean;
 }
 
@@ -76,7 +76,7 @@ bool sayUnreadStatements(const Sides& sides, Context& context) {
   return isOpen;
 }
 
-Exit compare(const Arguments& arguments, Context& context) {
+Exit compareForDiff(const DiffArguments& arguments, Context& context) {
   if (!arguments.rest.empty())
     return context.fail({fmt::format("unexpected argument '{}' for 'rungproof diff'", arguments.rest.front()),
                          {},
@@ -134,14 +134,14 @@ Exit compare(const Arguments& arguments, Context& context) {
   return isOpen ? Exit::Failed : exit;
 }
 
-Action setup(ArgumentTable& table) {
-  auto arguments = std::make_shared<Arguments>();
+Action setUpDiff(ArgumentTable& table) {
+  auto arguments = std::make_shared<DiffArguments>();
   arguments->sides.declare(table);
   table.arguments("GIT", arguments->rest, "what git adds where this is its external diff", true);
   table.word("--as", arguments->form, {"ladder", "lad", "fbd", "stl"}, "ladder|fbd|stl",
              "how changed networks are drawn");
   table.number("--width", arguments->width, "N", "columns of the text, both programs together", 60, 400);
-  return [arguments](Context& context) { return run(*arguments, context); };
+  return [arguments](Context& context) { return runDiff(*arguments, context); };
 }
 
 }  // namespace
@@ -169,7 +169,7 @@ extern constexpr Command diffCommand = {
     .shows = option_group::Reading | option_group::Running | option_group::Output | option_group::Configuration,
     .comparesTwo = true,
     .formats = "text|json|html|svg",
-    .setup = setup,
+    .setup = setUpDiff,
 };
 
 }  // namespace rungproof

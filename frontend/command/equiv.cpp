@@ -25,7 +25,7 @@ namespace rungproof {
 
 namespace {
 
-struct Arguments {
+struct EquivArguments {
   SideArguments sides;
   std::string inputs = "free";
   std::string interrupts = "between";
@@ -129,7 +129,8 @@ bool hasSameSettings(const Context& context) {
 
 /// The same bytes that begin with the same values do the same on the same CPU, also where the tool does not know what
 /// they do. Certificates are asked of the prover.
-bool isDecidedByBlocks(const Context& context, const Arguments& arguments, const Sides& sides, const Report& report) {
+bool isDecidedByBlocks(const Context& context, const EquivArguments& arguments, const Sides& sides,
+                       const Report& report) {
   const auto isLoss = [](const Finding& finding) { return finding.rule == syntaxMessage(Syntax::ProjectLost).id; };
   return areSameBlocks(report.blocks, arguments.sides.values == "old") && arguments.certificates.empty() &&
          arguments.latency == 0 && sides.pairs.empty() && arguments.sides.with.empty() &&
@@ -150,7 +151,7 @@ void noteBlocks(Report& report, bool ignoresValues) {
                                      "those of OLD");
 }
 
-Exit run(const Arguments& arguments, Context& context) {
+Exit runEquiv(const EquivArguments& arguments, Context& context) {
   std::vector<Failure> failures;
   const std::optional<Duration> settle = arguments.settle.empty() ? Duration{} : durationNamed(arguments.settle);
   if (!settle) failures.push_back({fmt::format("'{}' is no time", arguments.settle), {}, "write --settle 100ms"});
@@ -228,8 +229,8 @@ Exit run(const Arguments& arguments, Context& context) {
   return isFailed ? Exit::Failed : exit;
 }
 
-Action setup(ArgumentTable& table) {
-  auto arguments = std::make_shared<Arguments>();
+Action setUpEquiv(ArgumentTable& table) {
+  auto arguments = std::make_shared<EquivArguments>();
   arguments->sides.declare(table);
   table.word("--inputs", arguments->inputs, {"free", "steady"}, "free|steady",
              "steady: immediate reads give what the process image has");
@@ -244,7 +245,7 @@ Action setup(ArgumentTable& table) {
                "write the proofs of EQUAL as SMT-LIB 2, for another solver to check");
   table.word("--show", arguments->show, {"ladder", "lad", "fbd", "stl", "none"}, "ladder|fbd|stl|none",
              "how the networks that drive a differing output are drawn");
-  return [arguments](Context& context) { return run(*arguments, context); };
+  return [arguments](Context& context) { return runEquiv(*arguments, context); };
 }
 
 }  // namespace
@@ -278,7 +279,7 @@ extern constexpr Command equivCommand = {
         "    rungproof equiv press.awl press.xml --with new:tags.sdf --trace difference.csv\n",
     .shows = option_group::Reading | option_group::Running | option_group::Output | option_group::Configuration,
     .comparesTwo = true,
-    .setup = setup,
+    .setup = setUpEquiv,
 };
 
 }  // namespace rungproof

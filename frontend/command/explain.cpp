@@ -256,7 +256,7 @@ Failure unknown(const std::string& word) {
           : fmt::format("did you mean '{}'?", meant)};
 }
 
-Action setup(ArgumentTable& table) {
+Action setUpExplain(ArgumentTable& table) {
   auto word = std::make_shared<std::string>();
   table.argument(
       "CODE", *word,
@@ -283,7 +283,7 @@ extern constexpr Command explainCommand = {
     .shows = option_group::Output,
     .needsNoConfig = true,
     .formats = "text|json",
-    .setup = setup,
+    .setup = setUpExplain,
 };
 
 }  // namespace rungproof

@@ -14,7 +14,7 @@ namespace rungproof {
 
 namespace {
 
-struct Arguments {
+struct ExportArguments {
   std::vector<std::string> files;
   std::vector<std::string> properties;
   std::vector<std::string> only;
@@ -23,7 +23,8 @@ struct Arguments {
   std::string output;
 };
 
-std::string textOf(const std::string& format, const TransitionSystem& system, int bound, const ExportRemarks& remarks) {
+std::string textOfExport(const std::string& format, const TransitionSystem& system, int bound,
+                         const ExportRemarks& remarks) {
   if (format == "aiger") return exportAiger(system, remarks);
   if (format == "aiger-ascii") return exportAigerText(system, remarks);
   if (format == "smt2") return exportSmt2(system, std::max(bound, 1), remarks);
@@ -77,7 +78,7 @@ bool isExportable(const ProgramInput& input, const UnreadCode& unread, bool buil
          input.properties.unread.empty() && std::ranges::any_of(properties, &Property::isGoal);
 }
 
-Exit run(const Arguments& arguments, Context& context) {
+Exit runExport(const ExportArguments& arguments, Context& context) {
   ProgramInput input = readInput(context, arguments.files, arguments.properties);
   if (hasHiddenCode(input.program))
     return context.fail({"the program has know-how protected blocks, whose code is written nowhere",
@@ -122,20 +123,20 @@ Exit run(const Arguments& arguments, Context& context) {
   bool isWritten = true;
   for (const OutputRequest& request : context.outputs) {
     const OutputRequest target{request.name, request.file.empty() ? arguments.output : request.file};
-    isWritten = context.write(target, textOf(request.name, system, options.bound, remarks)) && isWritten;
+    isWritten = context.write(target, textOfExport(request.name, system, options.bound, remarks)) && isWritten;
   }
   return isWritten && !isUnread ? Exit::Clean : Exit::Failed;
 }
 
-Action setup(ArgumentTable& table) {
-  auto arguments = std::make_shared<Arguments>();
+Action setUpExport(ArgumentTable& table) {
+  auto arguments = std::make_shared<ExportArguments>();
   table.arguments("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input");
   table.option("--props", arguments->properties, "FILE", "property file; may be repeated");
   table.list("--only", arguments->only, "NAME", "export these properties only; * and ? stand for any characters");
   table.flag("--builtin", arguments->builtin, "also the questions of the built-in checks");
   table.flag("--as-downloaded", arguments->asDownloaded, asDownloadedHelp);
   table.option("-o,--output", arguments->output, "FILE", "write there instead of standard output");
-  return [arguments](Context& context) { return run(*arguments, context); };
+  return [arguments](Context& context) { return runExport(*arguments, context); };
 }
 
 }  // namespace
@@ -160,7 +161,7 @@ extern constexpr Command exportCommand = {
         "    rungproof export press.awl --format smv --scan-time 10ms\n",
     .shows = option_group::Reading | option_group::Running | option_group::Output | option_group::Configuration,
     .formats = "btor2|aiger|aiger-ascii|smt2|smv",
-    .setup = setup,
+    .setup = setUpExport,
 };
 
 }  // namespace rungproof

@@ -11,12 +11,12 @@ namespace rungproof {
 
 namespace {
 
-struct Arguments {
+struct GuideArguments {
   std::string folder;
   bool man = false;
 };
 
-Exit run(const Arguments& arguments, Context& context) {
+Exit runGuide(const GuideArguments& arguments, Context& context) {
   if (arguments.folder.empty())
     return context.fail({"no folder is named that the pages are to be written into", {}, "give -o FOLDER"});
   std::error_code error;  // a folder that cannot be made shows when the first page is written
@@ -32,11 +32,11 @@ Exit run(const Arguments& arguments, Context& context) {
   return Exit::Clean;
 }
 
-Action setup(ArgumentTable& table) {
-  auto arguments = std::make_shared<Arguments>();
+Action setUpGuide(ArgumentTable& table) {
+  auto arguments = std::make_shared<GuideArguments>();
   table.option("-o,--output", arguments->folder, "FOLDER", "folder for the pages");
   table.flag("--man", arguments->man, "write pages for man(1) in place of the site");
-  return [arguments](Context& context) { return run(*arguments, context); };
+  return [arguments](Context& context) { return runGuide(*arguments, context); };
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ extern constexpr Command guideCommand = {
     .shows = option_group::Output,
     .needsNoConfig = true,
     .formats = "text",
-    .setup = setup,
+    .setup = setUpGuide,
 };
 
 }  // namespace rungproof

@@ -14,7 +14,7 @@ namespace rungproof {
 
 namespace {
 
-struct State {
+struct LintState {
   std::vector<std::string> files;
   bool fix = false;
   bool diff = false;
@@ -27,8 +27,8 @@ struct State {
 /// A file that was not read at all: what would be fixed in it is not known.
 bool isLostForFixes(const Finding& finding) { return finding.rule == "SYN001" || finding.rule == "SYN002"; }
 
-Action setup(ArgumentTable& table) {
-  auto state = std::make_shared<State>();
+Action setUpLint(ArgumentTable& table) {
+  auto state = std::make_shared<LintState>();
   table.arguments("FILE", state->files,
                   "programs, symbol tables and data blocks; '-' is standard input; a folder stands for its programs");
   table.flag("--fix", state->fix,
@@ -106,7 +106,7 @@ extern constexpr Command lintCommand = {
     .shows = option_group::Reading | option_group::Rules | option_group::Output | option_group::Configuration |
              option_group::Proving,
     .takesEachProgram = true,
-    .setup = setup,
+    .setup = setUpLint,
 };
 
 }  // namespace rungproof

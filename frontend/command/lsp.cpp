@@ -7,7 +7,7 @@ namespace rungproof {
 
 namespace {
 
-Action setup(ArgumentTable& table) {
+Action setUpLsp(ArgumentTable& table) {
   // Editors add it without being asked; there is no other way to talk.
   auto isStdio = std::make_shared<bool>(false);
   table.flag("--stdio", *isStdio, "speak over standard input and output (always so)");
@@ -36,7 +36,7 @@ extern constexpr Command lspCommand = {
         "    rungproof lsp --cpu ST40\n",
     .shows = option_group::Reading | option_group::Rules | option_group::Configuration | option_group::Proving,
     .formats = "json",
-    .setup = setup,
+    .setup = setUpLsp,
 };
 
 }  // namespace rungproof

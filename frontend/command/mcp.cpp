@@ -11,7 +11,7 @@ namespace rungproof {
 
 namespace {
 
-Action setup(ArgumentTable& table) {
+Action setUpMcp(ArgumentTable& table) {
   auto root = std::make_shared<std::string>(".");
   table.option("--root", *root, "DIR", "folder that tools may read, links followed [default: the current one]");
   return [root](Context& context) {
@@ -43,7 +43,7 @@ extern constexpr Command mcpCommand = {
     .shows = option_group::Reading | option_group::Running | option_group::Rules | option_group::Configuration |
              option_group::Proving,
     .formats = "json",
-    .setup = setup,
+    .setup = setUpMcp,
 };
 
 }  // namespace rungproof

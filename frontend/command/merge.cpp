@@ -9,12 +9,12 @@ namespace rungproof {
 
 namespace {
 
-struct Arguments {
+struct MergeArguments {
   std::vector<std::string> files;
   std::string output;
 };
 
-Exit run(const Arguments& arguments, Context& context) {
+Exit runMerge(const MergeArguments& arguments, Context& context) {
   std::vector<PartFile> parts;
   for (const std::string& name : arguments.files) {
     const auto& [content, problem] = inputBytes(name, longestProgram);
@@ -29,11 +29,11 @@ Exit run(const Arguments& arguments, Context& context) {
   return report.exit;
 }
 
-Action setup(ArgumentTable& table) {
-  auto arguments = std::make_shared<Arguments>();
+Action setUpMerge(ArgumentTable& table) {
+  auto arguments = std::make_shared<MergeArguments>();
   table.arguments("PART", arguments->files, "reports of all parts in one form: JSON, SARIF or JUnit");
   table.option("-o,--output", arguments->output, "FILE", "write the joined report there instead of standard output");
-  return [arguments](Context& context) { return run(*arguments, context); };
+  return [arguments](Context& context) { return runMerge(*arguments, context); };
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ extern constexpr Command mergeCommand = {
     .shows = option_group::Output,
     .needsNoConfig = true,
     .formats = "text",
-    .setup = setup,
+    .setup = setUpMerge,
 };
 
 }  // namespace rungproof

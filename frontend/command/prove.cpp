@@ -32,7 +32,7 @@ namespace rungproof {
 
 namespace {
 
-struct Arguments {
+struct ProveArguments {
   std::vector<std::string> files;
   std::vector<std::string> properties;
   bool asDownloaded = false;
@@ -53,7 +53,7 @@ constexpr std::size_t scansInPage = 300;   // the last ones of a witness
 std::atomic<bool> interrupted = false;  ///< leads to the report
 
 /// The scans that matter as drawings for people, the last ones for a page that steps through them.
-std::vector<ShownScan> drawnScans(const Arguments& arguments, const Program& program, const Choices& choices,
+std::vector<ShownScan> drawnScans(const ProveArguments& arguments, const Program& program, const Choices& choices,
                                   const ProofResult& result, bool hasPage) {
   WitnessDrawingOptions options;
   options.form = arguments.show == "fbd" ? Form::Fbd : arguments.show == "stl" ? Form::Stl : Form::Ladder;
@@ -69,9 +69,9 @@ bool wantsPage(const Context& context) {
   return std::ranges::any_of(context.outputs, [](const OutputRequest& output) { return output.name == "html"; });
 }
 
-PropertyResult rowOf(const Context& context, const Arguments& arguments, EvidenceNames& names, const Program& program,
-                     const PropertySet& set, const Choices& choices, const std::vector<std::string>& assumptions,
-                     const ProofResult& result) {
+PropertyResult rowOf(const Context& context, const ProveArguments& arguments, EvidenceNames& names,
+                     const Program& program, const PropertySet& set, const Choices& choices,
+                     const std::vector<std::string>& assumptions, const ProofResult& result) {
   const std::string stem = names.of(result.property.name);
   PropertyResult row;
   row.name = result.property.name;
@@ -162,7 +162,7 @@ std::vector<PlantedFault> plantFaults(const Context& context, const Program& pro
 }
 
 /// Proves what is asked and puts it into the report. `program`: what of the text may be run.
-void proveInto(Report& part, const Context& context, const Settings& settings, const Arguments& arguments,
+void proveInto(Report& part, const Context& context, const Settings& settings, const ProveArguments& arguments,
                EvidenceNames& names, const Program& program, const PropertySet& properties, const UnreadCode& unread) {
   ProverOptions options = proverOptionsOf(settings, {&program});
   options.checks.builtin = arguments.builtin;
@@ -229,7 +229,7 @@ void keepPart(const ReportPart& part, PropertySet& set, std::size_t& count) {
 }
 
 /// What of this command alone decides which verdicts there are: parts of one run have it in common.
-void addOwnOptions(const Arguments& arguments, ProgramRecord& record) {
+void addOwnOptions(const ProveArguments& arguments, ProgramRecord& record) {
   const auto add = [&](const char* name, const std::string& value) {
     record.options.push_back({name, value, "command line"});
   };
@@ -248,8 +248,8 @@ bool isFinal(const Report& report) {
 }
 
 /// `isSettled` becomes whether the result is final.
-Exit runAnew(const Arguments& given, Context& context, bool& isSettled) {
-  Arguments arguments = given;
+Exit runAnew(const ProveArguments& given, Context& context, bool& isSettled) {
+  ProveArguments arguments = given;
   const std::optional<ReportPart> whichPart = partNamed(given.shard);
   if (!given.shard.empty() && !whichPart)
     return context.fail(
@@ -327,7 +327,7 @@ Exit runAnew(const Arguments& given, Context& context, bool& isSettled) {
 }
 
 /// Everything that was asked for, in words.
-std::string questionOf(const Arguments& arguments, const Context& context) {
+std::string questionOf(const ProveArguments& arguments, const Context& context) {
   std::vector<std::string> parts = {"prove", arguments.show, std::to_string(arguments.width), arguments.shard};
   for (const bool flag : {arguments.asDownloaded, arguments.builtin, arguments.selfCheck, context.color})
     parts.push_back(flag ? "1" : "0");
@@ -342,7 +342,7 @@ std::string questionOf(const Arguments& arguments, const Context& context) {
 }
 
 /// Files that a run writes are not kept, and standard input is read once.
-bool mayBeKept(const Arguments& arguments, const Context& context) {
+bool mayBeKept(const ProveArguments& arguments, const Context& context) {
   const auto isInput = [](const std::string& name) { return name == "-"; };
   const bool hasInput =
       std::ranges::any_of(arguments.files, isInput) || std::ranges::any_of(arguments.properties, isInput);
@@ -351,7 +351,7 @@ bool mayBeKept(const Arguments& arguments, const Context& context) {
   return !hasInput && !writesFiles;
 }
 
-Exit run(const Arguments& arguments, Context& context) {
+Exit runProve(const ProveArguments& arguments, Context& context) {
   const std::string folder(mayBeKept(arguments, context) ? context.settings.text(Opt::Cache) : "");
   bool isSettled = false;
   if (folder.empty()) return runAnew(arguments, context, isSettled);
@@ -360,8 +360,8 @@ Exit run(const Arguments& arguments, Context& context) {
                      [&](Context& copied, bool& isFinal) { return runAnew(arguments, copied, isFinal); });
 }
 
-Action setup(ArgumentTable& table) {
-  auto arguments = std::make_shared<Arguments>();
+Action setUpProve(ArgumentTable& table) {
+  auto arguments = std::make_shared<ProveArguments>();
   table.arguments("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input");
   table.option("--props", arguments->properties, "FILE", "property file; may be repeated");
   table.list("--only", arguments->only, "NAME", "prove these properties only; * and ? stand for any characters");
@@ -384,7 +384,7 @@ Action setup(ArgumentTable& table) {
                "prove every N-th property, from the K-th on, for N machines; part 1 has the built-in checks and the "
                "self-check; 'rungproof merge' joins the reports");
   table.flag(watchOption, arguments->watch, watchHelp);
-  return [arguments](Context& context) { return run(*arguments, context); };
+  return [arguments](Context& context) { return runProve(*arguments, context); };
 }
 
 }  // namespace
@@ -429,7 +429,7 @@ extern constexpr Command proveCommand = {
         "    rungproof prove press.awl --builtin --traces witnesses --certificate proofs\n",
     .shows = option_group::Reading | option_group::Running | option_group::Output | option_group::Configuration |
              option_group::Proving,
-    .setup = setup,
+    .setup = setUpProve,
 };
 
 }  // namespace rungproof

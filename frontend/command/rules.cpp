@@ -18,7 +18,7 @@ std::vector<const Rule*> rulesOf(const RuleGroup& group) {
   return rules;
 }
 
-std::string listText(const Paint& paint) {
+std::string listTextOfRules(const Paint& paint) {
   std::string text;
   std::size_t count = 0;
   for (const RuleGroup& group : ruleGroups()) {
@@ -69,14 +69,14 @@ std::string listJson() {
   return json.dump(2) + "\n";
 }
 
-Action setup(ArgumentTable&) {
+Action setUpRules(ArgumentTable&) {
   return [](Context& context) {
     Exit exit = Exit::Clean;
     for (const OutputRequest& output : context.outputs) {
       const Paint paint{context.color && output.file.empty()};
       const std::string text = output.name == "json"       ? listJson()
                                : output.name == "markdown" ? listMarkdown()
-                                                           : listText(paint);
+                                                           : listTextOfRules(paint);
       if (!context.write(output, text)) exit = Exit::Failed;
     }
     return exit;
@@ -93,7 +93,7 @@ extern constexpr Command rulesCommand = {
     .shows = option_group::Output,
     .needsNoConfig = true,
     .formats = "text|json|markdown",
-    .setup = setup,
+    .setup = setUpRules,
 };
 
 }  // namespace rungproof

@@ -28,7 +28,7 @@ namespace rungproof {
 
 namespace {
 
-struct Arguments {
+struct ShowArguments {
   std::vector<std::string> files;
   std::string form;  ///< empty: as it was drawn
   bool svg = false;
@@ -144,7 +144,7 @@ Picture chartPicture(const std::vector<std::string>& lines, bool isLit) {
 
 class Show {
  public:
-  Show(const Arguments& arguments, const Context& context) : arguments_(arguments), context_(context) {}
+  Show(const ShowArguments& arguments, const Context& context) : arguments_(arguments), context_(context) {}
 
   Exit run() {
     readArguments();
@@ -341,7 +341,7 @@ class Show {
     return true;
   }
 
-  const Arguments& arguments_;
+  const ShowArguments& arguments_;
   const Context& context_;
   ViewOptions options_;
   bool isSvg_ = false;
@@ -352,8 +352,8 @@ class Show {
   std::vector<Failure> failures_;
 };
 
-Action setup(ArgumentTable& table) {
-  auto arguments = std::make_shared<Arguments>();
+Action setUpShow(ArgumentTable& table) {
+  auto arguments = std::make_shared<ShowArguments>();
   table.arguments("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input");
   table.word("--as", arguments->form, {"lad", "ladder", "fbd", "stl", "awl"}, "lad|fbd|stl|awl",
              "draw as ladder, function block diagram or statement list (as drawn; lists as lad); awl: a list in "
@@ -390,7 +390,7 @@ extern constexpr Command showCommand = {
     .shows = option_group::Reading | option_group::Rules | option_group::Output | option_group::Configuration,
     .formats = "text|svg",
     .takesEachProgram = true,
-    .setup = setup,
+    .setup = setUpShow,
 };
 
 }  // namespace rungproof

@@ -34,7 +34,7 @@ namespace {
 
 constexpr std::uint64_t scansByDefault = 100;
 
-struct Arguments {
+struct SimArguments {
   std::vector<std::string> files;
   std::string stimulus;
   std::string expect;
@@ -122,7 +122,7 @@ class RowsAtMoments {
 
 class Preparation {
  public:
-  Preparation(const Arguments& arguments, const Context& context, const Program& program)
+  Preparation(const SimArguments& arguments, const Context& context, const Program& program)
       : arguments_(arguments), context_(context), program_(program) {}
 
   Job job() {
@@ -251,7 +251,7 @@ class Preparation {
       reach(job.expected->isByTime, job.expected->rows.back().scan, job.expected->rows.back().timeUs);
   }
 
-  const Arguments& arguments_;
+  const SimArguments& arguments_;
   const Context& context_;
   const Program& program_;
 };
@@ -372,7 +372,7 @@ void addNotComputed(Report& report, const Program& program) {
   }
 }
 
-Exit run(const Arguments& arguments, Context& context) {
+Exit runSim(const SimArguments& arguments, Context& context) {
   Program text = readFiles(context, arguments.files);
   std::vector<std::string> leftOut = arguments.asDownloaded ? leaveOut(text) : std::vector<std::string>();
   Report report = startReport("sim", text, arguments.files);
@@ -460,8 +460,8 @@ Exit run(const Arguments& arguments, Context& context) {
   return finish(beside, std::move(report));
 }
 
-Action setup(ArgumentTable& table) {
-  auto arguments = std::make_shared<Arguments>();
+Action setUpSim(ArgumentTable& table) {
+  auto arguments = std::make_shared<SimArguments>();
   table.arguments("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input");
   table.option("--stimulus", arguments->stimulus, "FILE", "what the inputs do, scan by scan or by time (CSV, VCD)");
   table.option(
@@ -483,7 +483,7 @@ Action setup(ArgumentTable& table) {
   table.flag("--as-downloaded", arguments->asDownloaded, asDownloadedHelp);
   table.word("--side", arguments->side, {"old", "new"}, "old|new",
              "which program this is in a trace that 'rungproof equiv' wrote of two");
-  return [arguments](Context& context) { return run(*arguments, context); };
+  return [arguments](Context& context) { return runSim(*arguments, context); };
 }
 
 }  // namespace
@@ -520,7 +520,7 @@ extern constexpr Command simCommand = {
         "    rungproof sim press.awl --duration 10s --scan-time 5ms --signals I0.0,Q0.0,T37.value --trace -\n",
     .shows = option_group::Reading | option_group::Running | option_group::Traces | option_group::Output |
              option_group::Configuration,
-    .setup = setup,
+    .setup = setUpSim,
 };
 
 }  // namespace rungproof

@@ -231,7 +231,7 @@ class TestRun {
   std::vector<Failure> failures_;
 };
 
-Action setup(ArgumentTable& table) {
+Action setUpTest(ArgumentTable& table) {
   auto arguments = std::make_shared<TestArguments>();
   table.arguments("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input");
   table.option("--table", arguments->tables, "FILE", "test table (CSV); may be repeated");
@@ -282,7 +282,7 @@ extern constexpr Command testCommand = {
         "    rungproof test press.awl --record run.csv -o run.test.csv\n",
     .shows = option_group::Reading | option_group::Running | option_group::Traces | option_group::Output |
              option_group::Configuration,
-    .setup = setup,
+    .setup = setUpTest,
 };
 
 }  // namespace rungproof

@@ -286,7 +286,7 @@ Exit listProgram(Context& context, const std::vector<std::string>& arguments, co
   return exit;
 }
 
-Exit run(Context& context, std::vector<std::string> arguments) {
+Exit runXref(Context& context, std::vector<std::string> arguments) {
   const std::optional<Operand> address = takeAddress(arguments, context);
   if (!address) {
     if (const auto failure = unknownName(arguments, context)) return context.fail(*failure);
@@ -303,11 +303,11 @@ Exit run(Context& context, std::vector<std::string> arguments) {
   return exit;
 }
 
-Action setup(ArgumentTable& table) {
+Action setUpXref(ArgumentTable& table) {
   auto arguments = std::make_shared<std::vector<std::string>>();
   table.arguments("FILE", *arguments,
                   "files of the program; a last argument that is no file is an address or symbol to show");
-  return [arguments](Context& context) { return run(context, *arguments); };
+  return [arguments](Context& context) { return runXref(context, *arguments); };
 }
 
 }  // namespace
@@ -325,7 +325,7 @@ extern constexpr Command xrefCommand = {
     .shows = option_group::Reading | option_group::Output | option_group::Configuration,
     .formats = "text|json",
     .takesEachProgram = true,
-    .setup = setup,
+    .setup = setUpXref,
 };
 
 }  // namespace rungproof

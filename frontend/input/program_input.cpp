@@ -283,6 +283,11 @@ bool isProgramName(const std::string& name) {
          areUploads({name});  // those have any ending
 }
 
+/// By its ending, or by its content where the ending says nothing.
+bool isProgramFile(const std::string& name) {
+  return isProgramName(name) || (hasSharedEnding(name) && isProgramText(name));
+}
+
 /// Whether a file beside programs is a symbol table or a data block; traces and stimuli are none.
 bool isTableOfProject(const std::string& path, bool isStep7) {
   const Program alone = readProgram({path});
@@ -358,7 +363,7 @@ std::vector<std::string> expandFolders(const std::vector<std::string>& names) {
          !error && entry != end; entry.increment(error)) {
       const std::string file = pathName(entry->path());
       if (!entry->is_regular_file(error)) continue;
-      if (isProgramName(file) || (hasSharedEnding(file) && isProgramText(file)))
+      if (isProgramFile(file))
         found.push_back(file);
       else if (hasSharedEnding(file))
         others.push_back(file);
@@ -386,9 +391,7 @@ std::optional<Failure> folderFailure(const std::vector<std::string>& names) {
     bool holdsProgram = !projectsIn(name).empty();
     for (fs::recursive_directory_iterator entry(name, fs::directory_options::skip_permission_denied, error), end;
          !error && entry != end && !holdsProgram; entry.increment(error)) {
-      const std::string file = pathName(entry->path());
-      holdsProgram =
-          entry->is_regular_file(error) && (isProgramName(file) || (hasSharedEnding(file) && isProgramText(file)));
+      holdsProgram = entry->is_regular_file(error) && isProgramFile(pathName(entry->path()));
     }
     if (!holdsProgram)
       return Failure{"the folder holds no program", name, "programs end in .awl, .stl, .txt, .scl, .st, .il or .xml"};

@@ -14,7 +14,7 @@ namespace rungproof {
 
 namespace {
 
-void write(const Report& report, const ReportStyle& style, std::ostream& out) {
+void writeConciseReport(const Report& report, const ReportStyle& style, std::ostream& out) {
   const Paint paint{style.color};
   for (const Finding& finding : report.findings) {
     const std::string head = fmt::format("{}[{}]", severityName(finding.severity), finding.rule);
@@ -46,6 +46,7 @@ void write(const Report& report, const ReportStyle& style, std::ostream& out) {
 
 }  // namespace
 
-extern constexpr Reporter conciseReport = {.name = "concise", .summary = "one line for each result", .write = write};
+extern constexpr Reporter conciseReport = {
+    .name = "concise", .summary = "one line for each result", .write = writeConciseReport};
 
 }  // namespace rungproof

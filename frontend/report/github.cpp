@@ -11,16 +11,16 @@ namespace rungproof {
 
 namespace {
 
-std::string_view levelName(Severity severity) {
+std::string_view githubLevel(Severity severity) {
   return severity == Severity::Error ? "error" : severity == Severity::Warning ? "warning" : "notice";
 }
 
-void write(const Report& report, const ReportStyle&, std::ostream& out) {
+void writeGithubReport(const Report& report, const ReportStyle&, std::ostream& out) {
   for (const Finding& finding : report.findings) {
     const SourceFile& file = report.sources->file(finding.span.file);
     const Position begin = file.position(finding.span.offset);
     const Position end = file.position(finding.span.offset + finding.span.length);
-    out << fmt::format("::{} file={},line={},endLine={},col={},title={}::{}{}\n", levelName(finding.severity),
+    out << fmt::format("::{} file={},line={},endLine={},col={},title={}::{}{}\n", githubLevel(finding.severity),
                        workflowText(file.name(), true), begin.line, end.line, begin.column,
                        workflowText(finding.rule, true), workflowText(withManualTitles(finding.message), false),
                        finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)" : "");
@@ -61,6 +61,7 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
 
 }  // namespace
 
-extern constexpr Reporter githubReport = {.name = "github", .summary = "annotations of GitHub Actions", .write = write};
+extern constexpr Reporter githubReport = {
+    .name = "github", .summary = "annotations of GitHub Actions", .write = writeGithubReport};
 
 }  // namespace rungproof

@@ -102,13 +102,13 @@ class IssueList {
   std::map<std::string, std::size_t> seen_;
 };
 
-void write(const Report& report, const ReportStyle&, std::ostream& out) {
+void writeGitlabReport(const Report& report, const ReportStyle&, std::ostream& out) {
   out << IssueList(report).issues().dump(2) << '\n';
 }
 
 }  // namespace
 
 extern constexpr Reporter gitlabReport = {
-    .name = "gitlab", .summary = "code quality report of GitLab merge requests", .write = write};
+    .name = "gitlab", .summary = "code quality report of GitLab merge requests", .write = writeGitlabReport};
 
 }  // namespace rungproof

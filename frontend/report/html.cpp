@@ -92,13 +92,14 @@ class HtmlWriter {
   std::ostream& out_;
 };
 
-void write(const Report& report, const ReportStyle&, std::ostream& out) {
+void writeHtmlReport(const Report& report, const ReportStyle&, std::ostream& out) {
   if (report.tests != nullptr) return writeTestPage(report, *report.tests, out);
   HtmlWriter(report, out).write();
 }
 
 }  // namespace
 
-extern constexpr Reporter htmlReport = {.name = "html", .summary = "one page for the browser", .write = write};
+extern constexpr Reporter htmlReport = {
+    .name = "html", .summary = "one page for the browser", .write = writeHtmlReport};
 
 }  // namespace rungproof

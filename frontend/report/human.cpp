@@ -332,12 +332,13 @@ class HumanWriter {
   std::string text_;  ///< of a finding; its room is used again
 };
 
-void write(const Report& report, const ReportStyle& style, std::ostream& out) {
+void writeHumanReport(const Report& report, const ReportStyle& style, std::ostream& out) {
   HumanWriter(report, style, out).write();
 }
 
 }  // namespace
 
-extern constexpr Reporter humanReport = {.name = "human", .summary = "excerpts and help for people", .write = write};
+extern constexpr Reporter humanReport = {
+    .name = "human", .summary = "excerpts and help for people", .write = writeHumanReport};
 
 }  // namespace rungproof

@@ -145,7 +145,7 @@ Json comparisonJson(const std::optional<Comparison>& comparison, const std::vect
   return json;
 }
 
-void write(const Report& report, const ReportStyle& style, std::ostream& out) {
+void writeJsonReport(const Report& report, const ReportStyle& style, std::ostream& out) {
   const Summary summary = summaryOf(report);
   Json json = {{"tool", "rungproof"}, {"version", programVersion()}, {"command", report.command}};
   json["findings"] = Json::array();
@@ -180,6 +180,7 @@ void write(const Report& report, const ReportStyle& style, std::ostream& out) {
 
 }  // namespace
 
-extern constexpr Reporter jsonReport = {.name = "json", .summary = "stable form for programs", .write = write};
+extern constexpr Reporter jsonReport = {
+    .name = "json", .summary = "stable form for programs", .write = writeJsonReport};
 
 }  // namespace rungproof

@@ -187,7 +187,7 @@ class JunitWriter {
   std::size_t failures_ = 0;
 };
 
-void write(const Report& report, const ReportStyle&, std::ostream& out) {
+void writeJunitReport(const Report& report, const ReportStyle&, std::ostream& out) {
   pugi::xml_document document;
   pugi::xml_node declaration = document.append_child(pugi::node_declaration);
   declaration.append_attribute("version") = "1.0";
@@ -200,6 +200,7 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
 
 }  // namespace
 
-extern constexpr Reporter junitReport = {.name = "junit", .summary = "JUnit XML for CI servers", .write = write};
+extern constexpr Reporter junitReport = {
+    .name = "junit", .summary = "JUnit XML for CI servers", .write = writeJunitReport};
 
 }  // namespace rungproof

@@ -20,7 +20,7 @@ namespace rungproof {
 
 namespace {
 
-std::string_view levelName(Severity severity) {
+std::string_view sarifLevel(Severity severity) {
   return severity == Severity::Error ? "error" : severity == Severity::Warning ? "warning" : "note";
 }
 
@@ -55,7 +55,7 @@ Json ruleObject(const std::string& id) {
   json["shortDescription"] = {{"text", rule->title}};
   json["fullDescription"] = {{"text", rule->detects}};
   json["help"] = {{"text", rulePage(*rule, Paint{})}};
-  json["defaultConfiguration"] = {{"level", levelName(rule->severity)}, {"enabled", rule->enabledByDefault}};
+  json["defaultConfiguration"] = {{"level", sarifLevel(rule->severity)}, {"enabled", rule->enabledByDefault}};
   return json;
 }
 
@@ -63,7 +63,7 @@ Json resultOf(const Finding& finding, const Report& report, std::size_t ruleInde
   const SourceSet& sources = *report.sources;
   Json result = {{"ruleId", finding.rule.view()},
                  {"ruleIndex", ruleIndex},
-                 {"level", levelName(finding.severity)},
+                 {"level", sarifLevel(finding.severity)},
                  {"message", {{"text", withManualTitles(finding.message)}}}};
   Json location = {{"physicalLocation", physicalLocation(sources, finding.span)}};
   if (!finding.pou.empty()) {
@@ -142,7 +142,7 @@ Json resultOf(const PropertyResult& property, const Report& report, std::size_t 
   return result;
 }
 
-void write(const Report& report, const ReportStyle&, std::ostream& out) {
+void writeSarifReport(const Report& report, const ReportStyle&, std::ostream& out) {
   std::map<std::string, std::size_t> ruleIndex;
   Json rules = Json::array();
   for (const Finding& finding : report.findings) {
@@ -172,6 +172,7 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
 
 }  // namespace
 
-extern constexpr Reporter sarifReport = {.name = "sarif", .summary = "SARIF 2.1.0 for code scanning", .write = write};
+extern constexpr Reporter sarifReport = {
+    .name = "sarif", .summary = "SARIF 2.1.0 for code scanning", .write = writeSarifReport};
 
 }  // namespace rungproof

@@ -104,7 +104,7 @@ void appendPlainRow(const Trace& trace, const TraceRow& row, std::string& text) 
   appendRow(trace, row, {}, row.scan == 1, text);
 }
 
-void write(const Trace& trace, std::string_view, std::ostream& out) {
+void writeCsvTrace(const Trace& trace, std::string_view, std::ostream& out) {
   const RunColumns columns = runColumns(trace);
   std::string text;
   appendHead(trace, columns, text);
@@ -120,7 +120,7 @@ void write(const Trace& trace, std::string_view, std::ostream& out) {
 
 extern constexpr TraceFormat csvTrace = {.ending = ".csv",
                                          .summary = "comma-separated values, also a stimulus",
-                                         .write = write,
+                                         .write = writeCsvTrace,
                                          .appendHead = appendPlainHead,
                                          .appendRow = appendPlainRow};
 

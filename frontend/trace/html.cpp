@@ -161,7 +161,9 @@ std::string dataJson(const Trace& trace, const TraceDrawings& drawings, const Ex
   return text;
 }
 
-void write(const Trace& trace, std::string_view title, std::ostream& out) { writeTracePage(trace, title, {}, out); }
+void writeHtmlTrace(const Trace& trace, std::string_view title, std::ostream& out) {
+  writeTracePage(trace, title, {}, out);
+}
 
 }  // namespace
 
@@ -184,6 +186,7 @@ void writeTracePage(const Trace& trace, std::string_view title, const TraceDrawi
       << "</script>\n<script>" << script << "</script>\n</body></html>\n";
 }
 
-extern constexpr TraceFormat htmlTrace = {.ending = ".html", .summary = "page with zoom and steps", .write = write};
+extern constexpr TraceFormat htmlTrace = {
+    .ending = ".html", .summary = "page with zoom and steps", .write = writeHtmlTrace};
 
 }  // namespace rungproof

@@ -8,10 +8,12 @@ namespace rungproof {
 
 namespace {
 
-void write(const Trace& trace, std::string_view title, std::ostream& out) { out << timingDiagram(trace, title); }
+void writeSvgTrace(const Trace& trace, std::string_view title, std::ostream& out) {
+  out << timingDiagram(trace, title);
+}
 
 }  // namespace
 
-extern constexpr TraceFormat svgTrace = {.ending = ".svg", .summary = "timing diagram", .write = write};
+extern constexpr TraceFormat svgTrace = {.ending = ".svg", .summary = "timing diagram", .write = writeSvgTrace};
 
 }  // namespace rungproof

@@ -145,11 +145,11 @@ class Dump {
   std::uint64_t time_ = 0;
 };
 
-void write(const Trace& trace, std::string_view title, std::ostream& out) { Dump(trace, out).write(title); }
+void writeVcdTrace(const Trace& trace, std::string_view title, std::ostream& out) { Dump(trace, out).write(title); }
 
 }  // namespace
 
 extern constexpr TraceFormat vcdTrace = {
-    .ending = ".vcd", .summary = "value change dump for waveform viewers", .write = write};
+    .ending = ".vcd", .summary = "value change dump for waveform viewers", .write = writeVcdTrace};
 
 }  // namespace rungproof

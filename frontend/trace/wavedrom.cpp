@@ -46,7 +46,7 @@ Json lane(const Trace& trace, std::size_t column) {
   return result;
 }
 
-void write(const Trace& trace, std::string_view title, std::ostream& out) {
+void writeWavedromTrace(const Trace& trace, std::string_view title, std::ostream& out) {
   Json lanes = Json::array();
   for (std::size_t i = 0; i < trace.signals.size(); ++i) {
     const std::string group = groupName(trace.signals[i]);
@@ -67,6 +67,7 @@ void write(const Trace& trace, std::string_view title, std::ostream& out) {
 
 }  // namespace
 
-extern constexpr TraceFormat wavedromTrace = {.ending = ".json", .summary = "WaveDrom timing diagram", .write = write};
+extern constexpr TraceFormat wavedromTrace = {
+    .ending = ".json", .summary = "WaveDrom timing diagram", .write = writeWavedromTrace};
 
 }  // namespace rungproof
