@@ -1,6 +1,7 @@
 // Source texts and places in them. A place is a byte range of one file; line and column are computed on
-// demand from the file's line table, so that a token costs twelve bytes and nothing else. The table has the start of
-// every fourth line: those between are found in the text.
+// demand from the file's table, so that a token costs twelve bytes and nothing else. The table has a mark at every
+// fourth line and inside long lines, because some exports write megabytes in one line: what lies between two marks is
+// found in the text.
 #pragma once
 
 #include <cstdint>
@@ -47,13 +48,19 @@ class SourceFile {
   std::uint32_t lineStart(std::uint32_t number) const;
 
  private:
+  /// A place of the text with its line and column.
+  struct Mark {
+    std::uint32_t offset, line, lineStart, column;
+  };
   /// Start of the line behind the one that holds this place; beyond the text if that is the last one.
   std::uint32_t nextLine(std::uint32_t offset) const;
+  /// The characters that begin in this range.
+  std::uint32_t charactersIn(std::uint32_t begin, std::uint32_t end) const;
 
   std::string name_;
   std::string text_;
   std::uint32_t lineCount_ = 0;
-  std::vector<std::uint32_t> marks_;  ///< starts of line 1 and of each markEvery-th behind it
+  std::vector<Mark> marks_;  ///< in the order of the text, the first at its beginning
 };
 
 /// All files of one run; spans index into it. Files are never removed, so references stay valid.

@@ -17,6 +17,7 @@ namespace {
 
 constexpr int tabWidth = 4;
 constexpr std::size_t mostLookedAt = 4096;  ///< bytes on either side of a mark's beginning
+constexpr std::size_t near = excerptWidth;  ///< the same where each byte is a column
 
 /// A character of the shown line: its text and its columns.
 struct TextCell {
@@ -102,8 +103,13 @@ Excerpt excerptOf(const SourceFile& file, Span span, std::uint32_t lineNumber) {
   }
   // Of a line of megabytes only what may be shown is looked at.
   const auto isTail = [&](std::size_t at) { return (static_cast<unsigned char>(line[at]) & 0xC0U) == 0x80U; };
-  std::size_t from = start > mostLookedAt ? start - mostLookedAt : 0;
-  std::size_t to = std::min(line.size(), start + mostLookedAt);
+  const auto isPlainAround = [&] {
+    if (line.size() <= 2 * mostLookedAt) return false;
+    return isPlain(line.substr(start - std::min(start, near), near)) && isPlain(line.substr(start, near));
+  };
+  const std::size_t lookedAt = isPlainAround() ? near : mostLookedAt;
+  std::size_t from = start > lookedAt ? start - lookedAt : 0;
+  std::size_t to = std::min(line.size(), start + lookedAt);
   while (from > 0 && isTail(from)) --from;
   while (to < line.size() && isTail(to)) ++to;
   const bool isPart = from > 0 || to < line.size();

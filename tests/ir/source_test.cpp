@@ -46,6 +46,22 @@ TEST(SourceFile, FindsLinesBetweenItsMarks) {
   }
 }
 
+TEST(SourceFile, FindsPlacesInLongLines) {
+  // Around the distance of two marks, between short lines and at the end of the text.
+  for (const std::size_t length : {1022, 1023, 1024, 1025, 1026, 2047, 2048, 2049, 5000}) {
+    const std::string longLine(length, 'a');
+    expectEveryPlace(longLine);
+    expectEveryPlace(longLine + "\n");
+    expectEveryPlace("a\nb\n" + longLine + "\nc\n\nd\ne\nf\n" + longLine + longLine + "\n" + longLine);
+  }
+  // Two bytes a character: the 3000th begins at byte 5998.
+  std::string wide = "\n";
+  for (int i = 0; i < 4000; ++i) wide += "\xC3\xA4";
+  const SourceFile file("x", wide);
+  EXPECT_EQ(file.position(1 + 5998).line, 2U);
+  EXPECT_EQ(file.position(1 + 5998).column, 3000U);
+}
+
 TEST(SourceFile, CountsCharactersAndLeavesOutLineEnds) {
   const SourceFile file("x", "LD I0.0\r\n\xC3\xA4\xC3\xB6 x\r\n");
   EXPECT_EQ(file.line(1), "LD I0.0");
