@@ -15,8 +15,8 @@ void reportUnopened(const Facts& facts, FindingSink& sink, const Instruction& in
   const bool isByCall = (by & openedByCall) != 0;
   Finding& finding = sink.report(
       operand.span,
-      isByCall ? fmt::format("{} stands behind a call with a full address as parameter, which may have "
-                             "opened another data block",
+      isByCall ? fmt::format("{} stands behind a call, which may have left another data block open: the instance of an "
+                             "FB, or the block of a full address among its parameters",
                              Facts::text(instruction))
                : fmt::format("{} takes whatever data block is open: {} has opened none{}", Facts::text(instruction),
                              facts.pouOf(instruction.id).name, (by & openedHere) != 0 ? " on some path" : ""));
@@ -53,8 +53,8 @@ extern constexpr Rule dba001_no_block_open = {
     .severity = Severity::Warning,
     .needs = Needs::Flow,
     .detects =
-        "DBX, DBB, DBW, DBD before the block has opened a data block; the same behind a call that gets a full data "
-        "block address as a parameter; DIX and its kind in an OB or FC",
+        "DBX, DBB, DBW, DBD before the block has opened a data block; the same behind a call of an FB, or behind one "
+        "that gets a full data block address as a parameter; DIX and its kind in an OB or FC",
     .why =
         "the access goes to the block that the caller, or the call, has left open, and none is open at the start of "
         "an OB",

@@ -75,15 +75,24 @@ class Opening {
         state.isAr2Moved = !state.isAr2Moved;
         return;
       case StatementRole::Ar2ToAr1: state.isAr1Copy = !state.isAr2Moved; return;
-      case StatementRole::LoadAr1:
-      case StatementRole::MoveAr1:
       case StatementRole::Call:
-      case StatementRole::CallByRlo: state.isAr1Copy = false; return;
+      case StatementRole::CallByRlo:
+        if (opensInstance(instruction)) state.db = {static_cast<Openers>(state.db.by | openedByCall), 0};
+        state.isAr1Copy = false;
+        return;
+      case StatementRole::LoadAr1:
+      case StatementRole::MoveAr1: state.isAr1Copy = false; return;
       default: return;
     }
   }
 
  private:
+  /// CALL FB 1, DB 1: behind it the instance may be open in DB. UC and CC give both registers back.
+  static bool opensInstance(const Instruction& call) {
+    return call.operands.size() > 1 && call.operands[0].kind == OperandKind::Constant &&
+           hasInstance(blockTypeOf(static_cast<int>(call.operands[0].value)));
+  }
+
   static void open(OpenState& state, const Operand& block) {
     const bool inDi = block.reach != nullptr && block.reach->inDi;
     const bool isKnown = block.kind == OperandKind::Direct;

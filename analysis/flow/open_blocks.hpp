@@ -1,6 +1,7 @@
 // Which data blocks are open in front of each statement of an S7-300/400 block, and whether an FB still has its own
-// instance: DI and AR2 as the call has set them. What opens them: OPN, CDB, a full address (002:603, 002:640-653); a
-// call whose parameter has one may leave another block open (general knowledge).
+// instance: DI and AR2 as the call has set them. What opens them: OPN, CDB, a full address (002:603, 002:640-653). A
+// CALL may leave another block open (general knowledge): the instance of an FB, or that of a full address among its
+// parameters.
 // Tested by tests/rules/data_block_rules_test.cpp.
 #pragma once
 

@@ -490,7 +490,10 @@ void StatementInfluence::apply(std::uint32_t block, std::uint32_t at, Registers&
   if (movesTaint) registers.mask |= accu2;
   if (isLoad && !movesTaint && cause == none) registers.mask &= static_cast<Mask>(~accu2);
   if (here.instruction->desc->control != Control::BlockCall) return;
-  eachCallee(block, *here.instruction, [&](std::uint32_t callee) { registers.join(blocks_[callee].exit); });
+  eachCallee(block, *here.instruction, [&](std::uint32_t callee) {
+    if (hasInstance(facts_.program().pous[callee]) && (registers.mask & di) != 0) registers.mask |= db;
+    registers.join(blocks_[callee].exit);
+  });
 }
 
 /// Follows influenced registers through a block: into networks that take them, into blocks that it calls.
@@ -509,8 +512,9 @@ void StatementInfluence::passRegisters(std::uint32_t block) {
     if (here.instruction->desc->control != Control::BlockCall) continue;
     eachCallee(block, *here.instruction, [&](std::uint32_t callee) {
       Registers handed = *states[at];
-      // CALL opens the instance of an FB and sets AR2; UC and CC hand on what they find.
+      // CALL opens the instance of an FB, may hand DI on in DB, and sets AR2; UC and CC hand on what they find.
       const bool opens = hasInstance(facts_.program().pous[callee]) && here.instruction->operands.size() > 1;
+      if (opens && (handed.mask & di) != 0) handed.mask |= db;
       if (opens) handed.mask &= static_cast<Mask>(~(di | ar2));
       isChanged_ = blocks_[callee].entry.join(handed) || isChanged_;
     });

@@ -57,6 +57,7 @@ enum class Choice : std::uint8_t {
   HotRestart,
   LongestScan,
   UnwrittenOutput,
+  CallDataBlock,
   IecDivZero,
   IecModZero,
   IecArrayRange,
@@ -360,6 +361,13 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      "S7-300/400: what an output of an FC that the block does not write hands out: the actual keeps its value, as it "
      "is given by reference, or gets any, as it does where the call copies it",
      "002:154"},
+    {Choice::CallDataBlock,
+     "call-data-block",
+     {"exchanged", "kept", ""},
+     "S7-300/400: what CALL of an FB does to the DB register: the code that it is compiled to exchanges DB and DI "
+     "around the block, so that the FB finds the DI of its caller in DB, and the instance stays open in DB behind the "
+     "call; or DB keeps its block",
+     "002:222"},
     {Choice::IecDivZero,
      "iec-div-zero",
      {"fault", "zero", ""},

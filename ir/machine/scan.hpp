@@ -122,7 +122,7 @@ class Scan : private FlowWalk<Scan<D, Hooks>, Machine<D>, Hooks> {
   std::vector<std::pair<std::uint32_t, HandedPointer<D>>> pointersOf(const Instruction& call, const Pou& callee,
                                                                      std::size_t firstActual);
   void systemBlock(const Instruction& call);
-  void openActuals(const Instruction& call);
+  void openActuals(const Instruction& call, std::uint32_t firstIndex);
   void serveError();
 
   std::span<const Execute<D>> dispatch_;

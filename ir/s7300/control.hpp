@@ -243,6 +243,9 @@ void Scan<D, Hooks>::forgetOutput(const LocalVariable& formal, const Operand& ac
   });
 }
 
+/// Numbers of what openActuals() leaves open, beside what instructions leave open.
+inline constexpr std::uint32_t openBehindCall = 0x100, openAtEntry = 0x300;
+
 template <class D, class Hooks>
 void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instruction) {
   Step7Registers<D>& s = m_.step7;
@@ -304,7 +307,8 @@ void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instructi
     const Operand& instance = instruction.operands[1];
     if (instance.kind == OperandKind::Direct) {
       instanceBlock = m_.d.literal(blockOfByte(instance.offset), 16);
-      instancePointer = m_.d.literal(0x85000000U | byteInBlock(instance.offset) * 8, 32);
+      // The compiled call loads P#DBX 0.0 into AR2, although the FB reaches its data through DI.
+      instancePointer = m_.d.literal(0x84000000U | byteInBlock(instance.offset) * 8, 32);
     } else {
       instanceBlock = s.di;
       instancePointer = m_.d.add(s.ar[1], m_.d.literal(instance.offset * 8, 32), 32);
@@ -318,11 +322,17 @@ void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instructi
     places.save(places.find(place, width), width, width == Width::Bit ? m_.d.extract(value, 0, 0) : value);
     serveError();
   };
+  const auto inDb = [&](Bits exchanged) {
+    return m_.d.select(m_.reads({Choice::CallDataBlock, "exchanged"}), exchanged, activation.callerDb, 16);
+  };
   if (isFb) {
     useInstance();
     std::size_t next = 0;
     eachPiece(VarSection::Input,
               [&](const Operand&, const Operand& place, Width width) { save(place, width, values[next++]); });
+    m_.put(s.db, inDb(activation.callerDi), 16);
+  } else if (!pou.isBuiltIn) {
+    openActuals(instruction, openAtEntry);
   }
   const auto mcrActive = s.mcrActive;
   const auto mcr = s.mcr;
@@ -363,8 +373,8 @@ void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instructi
   if (isFb)
     eachPiece(VarSection::Output,
               [&](const Operand& actual, const Operand&, Width width) { save(actual, width, values[next++]); });
-  m_.put(s.db, activation.callerDb, 16);
-  openActuals(instruction);
+  m_.put(s.db, isFb ? inDb(instanceBlock) : activation.callerDb, 16);
+  openActuals(instruction, openBehindCall);
 }
 
 /// A block whose meaning is no list of statements. Where organization blocks interrupt it, they come as they come in
@@ -405,11 +415,10 @@ std::vector<std::pair<std::uint32_t, HandedPointer<D>>> Scan<D, Hooks>::pointers
   return pointers;
 }
 
-/// Whether the statements that hand over `DB50.DBD22` leave that block open in the caller is not stated (general
-/// knowledge: code behind a CALL must not rely on its DB register): either.
+/// Whether the statements that hand over `DB50.DBD22` leave that block open in the called FC and in the caller is not
+/// stated (general knowledge: neither must rely on its DB register): either. `firstIndex` tells the two apart.
 template <class D, class Hooks>
-void Scan<D, Hooks>::openActuals(const Instruction& call) {
-  constexpr std::uint32_t firstIndex = 0x100;  // beside what instructions leave open
+void Scan<D, Hooks>::openActuals(const Instruction& call, std::uint32_t firstIndex) {
   for (std::size_t i = 1; i < call.operands.size(); ++i) {
     const Operand& actual = call.operands[i];
     const bool isInstance = i == 1 && blockTypeOf(static_cast<int>(call.operands[0].value)) != BlockType::Fc;

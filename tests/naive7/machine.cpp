@@ -54,7 +54,10 @@ void Machine::enter(const Block& block, int instance, std::uint32_t base,
   frame().instance = instance;
   frame().base = base;
   frame().references = references;
-  if (instance != 0) di = instance;
+  if (instance != 0) {
+    db = savedDi;  // CALL exchanges the registers around an FB
+    di = instance;
+  }
   os = orBit = fc = false;
   sta = true;
   std::size_t next = 0;
@@ -65,7 +68,7 @@ void Machine::enter(const Block& block, int instance, std::uint32_t base,
   os = orBit = fc = false;
   sta = true;
   frames_.pop_back();
-  db = savedDb;
+  db = instance != 0 ? instance : savedDb;
   di = savedDi;
 }
 
@@ -93,7 +96,10 @@ void Machine::call(const Statement& s) {
     instance = std::atoi(instanceText.c_str() + 2);
     if (!dataBlocks.contains(instance)) throw Stop{0x3A, "no instance block"};
   }
-  if (systemBlock(target, s)) return;
+  if (systemBlock(target, s)) {
+    if (instance != 0) db = instance;
+    return;
+  }
   const auto found = program_->blocks.find(target);
   if (found == program_->blocks.end()) throw Stop{target.starts_with("FB") ? 0x3E : 0x3C, "no block " + target};
   const Block& block = found->second;

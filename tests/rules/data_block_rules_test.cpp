@@ -16,6 +16,11 @@ TEST(DataBlockRules, ABlockIsOpenWhereItIsUsed) {
        {"OPN on one way", 1, data + ob1("A I 0.0;\nJC m;\nOPN DB 1;\nm: L DBW 0;\nT MW 0;")},
        {"behind a call with a full address", 1,
         data + takes + ob1("OPN DB 1;\nCALL FC 2 (X := DB2.DBW 0);\nL DBW 0;\nT MW 0;")},
+       {"behind a call of an FB, whose instance stays open", 1,
+        data + fb(1, "L #X;\nT MW 2;", "VAR\nX : INT;\nEND_VAR\n") + "DATA_BLOCK DB 3\nFB 1\nBEGIN\nEND_DATA_BLOCK\n" +
+            ob1("OPN DB 1;\nCALL FB 1, DB 3;\nL DBW 0;\nT MW 0;")},
+       {"UC of an FB gives the block back", 0,
+        data + fb(1, "L 1;\nT MW 2;", "VAR\nX : INT;\nEND_VAR\n") + ob1("OPN DB 1;\nUC FB 1;\nL DBW 0;\nT MW 0;")},
        {"DIW in an OB", 1, data + ob1("L DIW 0;\nT MW 0;")},
        {"through a pointer", 1, data + ob1("L P#0.0;\nT MD 0;\nL DBW [MD 0];\nT MW 4;")},
        {"by AR1", 1, data + ob1("LAR1 P#0.0;\nL DBW [AR1,P#2.0];\nT MW 4;")},
