@@ -113,6 +113,7 @@ std::string spellingOf(const Constant& c) {
     case ConstantKind::Boolean: return c.value != 0 ? "TRUE" : "FALSE";
     case ConstantKind::Pointer:
     case ConstantKind::Any: return pointerText(c);
+    case ConstantKind::Object: return fmt::format("{} {}", c.text, c.value);
   }
   return "";
 }

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "frontend/step7/source_keyword.hpp"
 #include "frontend/stl/stl_lexer.hpp"
@@ -257,32 +259,10 @@ bool DeclarationParser::valueList(std::vector<Constant>& values, int depth) {
   do {
     cursor_.skipSpace();
     const std::uint32_t from = cursor_.at();
-    ConstantOutcome outcome = readConstant(cursor_, spelling_.set, spelling_.encoding);
-    if (!outcome.fault.empty() || !outcome.constant) {
-      report(from, std::max(cursor_.at(), from + 1),
-             outcome.fault.empty() ? "a value is missing" : "the value cannot be read: " + outcome.fault);
+    if (std::optional<Constant> object = objectNumber()) {
+      values.push_back(std::move(*object));
+    } else if (!valueOrGroup(from, values, depth)) {
       return false;
-    }
-    const std::uint32_t back = cursor_.at();
-    cursor_.skipSpace();
-    if (outcome.constant->kind != s7300::ConstantKind::Integer || cursor_.peek() != '(') {
-      cursor_.to(back);
-      values.push_back(std::move(*outcome.constant));
-    } else {
-      cursor_.skip(1);
-      std::vector<Constant> group;
-      if (depth > 6 || !valueList(group, depth + 1)) return false;
-      cursor_.skipSpace();
-      if (!cursor_.take(')')) {
-        reportHere("the closing parenthesis is missing");
-        return false;
-      }
-      const std::int64_t times = outcome.constant->value;
-      if (times < 0 || static_cast<std::size_t>(times) * group.size() > mostInitialValues) {
-        report(from, cursor_.at(), "the values are more than a block can hold");
-        return false;
-      }
-      for (std::int64_t i = 0; i < times; ++i) values.insert(values.end(), group.begin(), group.end());
     }
     const std::uint32_t behind = cursor_.at();
     cursor_.skipSpace();
@@ -290,6 +270,59 @@ bool DeclarationParser::valueList(std::vector<Constant>& values, int depth) {
     cursor_.to(behind);
     return true;
   } while (true);
+}
+
+/// T 5, Z 5, DB 5: what STEP 7 writes behind a variable of type TIMER, COUNTER or BLOCK_DB in an instance.
+std::optional<Constant> DeclarationParser::objectNumber() {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> objects = {
+      {{"T", "T"}, {"C", "C"}, {"Z", "C"}, {"DB", "DB"}, {"SDB", "SDB"}, {"FB", "FB"}, {"FC", "FC"}}};
+  const std::uint32_t from = cursor_.at();
+  for (const auto& [word, letters] : objects) {
+    if (!cursor_.takeWord(word)) continue;
+    cursor_.skipBlanks();
+    Constant constant;
+    constant.kind = s7300::ConstantKind::Object;
+    constant.text = letters;
+    const std::uint32_t digits = cursor_.at();
+    for (; isDecimal(cursor_.peek()) && constant.value <= 0xFFFF; cursor_.skip(1))
+      constant.value = constant.value * 10 + (cursor_.peek() - '0');
+    constant.span = cursor_.spanFrom(from);
+    if (cursor_.at() > digits && constant.value <= 0xFFFF && !isWordByte(cursor_.peek())) return constant;
+    break;
+  }
+  cursor_.to(from);
+  return std::nullopt;
+}
+
+bool DeclarationParser::valueOrGroup(std::uint32_t from, std::vector<Constant>& values, int depth) {
+  ConstantOutcome outcome = readConstant(cursor_, spelling_.set, spelling_.encoding);
+  if (!outcome.fault.empty() || !outcome.constant) {
+    report(from, std::max(cursor_.at(), from + 1),
+           outcome.fault.empty() ? "a value is missing" : "the value cannot be read: " + outcome.fault);
+    return false;
+  }
+  const std::uint32_t back = cursor_.at();
+  cursor_.skipSpace();
+  if (outcome.constant->kind != s7300::ConstantKind::Integer || cursor_.peek() != '(') {
+    cursor_.to(back);
+    values.push_back(std::move(*outcome.constant));
+  } else {
+    cursor_.skip(1);
+    std::vector<Constant> group;
+    if (depth > 6 || !valueList(group, depth + 1)) return false;
+    cursor_.skipSpace();
+    if (!cursor_.take(')')) {
+      reportHere("the closing parenthesis is missing");
+      return false;
+    }
+    const std::int64_t times = outcome.constant->value;
+    if (times < 0 || static_cast<std::size_t>(times) * group.size() > mostInitialValues) {
+      report(from, cursor_.at(), "the values are more than a block can hold");
+      return false;
+    }
+    for (std::int64_t i = 0; i < times; ++i) values.insert(values.end(), group.begin(), group.end());
+  }
+  return true;
 }
 
 }  // namespace rungproof::step7

@@ -35,6 +35,8 @@ class DeclarationParser {
   std::shared_ptr<const TypeSyntax> arrayType(std::uint32_t begin);
   bool bounds(std::vector<s7300::Bounds>& bounds);
   bool valueList(std::vector<Constant>& values, int depth);
+  bool valueOrGroup(std::uint32_t from, std::vector<Constant>& values, int depth);
+  std::optional<Constant> objectNumber();
   void report(std::uint32_t from, std::uint32_t to, std::string message);
   void reportHere(std::string message);
 

@@ -29,7 +29,8 @@ enum class ConstantKind : std::uint8_t {
   Text,         ///< 'abc': characters in Constant::text
   Boolean,      ///< TRUE, FALSE
   Pointer,      ///< P#1.0, P#M 1.0, P#DB1.DBX1.0: the pointer's double word, the block in Constant::block
-  Any           ///< P#M 1.0 BYTE 4, the type and number of elements besides
+  Any,          ///< P#M 1.0 BYTE 4, the type and number of elements besides
+  Object        ///< T 5, C 5, DB 5, SDB 5, FB 5, FC 5: the number; Constant::text says of what
 };
 
 struct Constant {
@@ -38,7 +39,7 @@ struct Constant {
   std::uint16_t block = 0;     ///< Pointer, Any: number of the data block, 0: none
   std::uint8_t anyType = 0;    ///< Any: code of the element type (002:2257-2263)
   std::uint16_t anyCount = 0;  ///< Any: number of elements
-  std::string text;            ///< Text: characters, one byte each
+  std::string text;            ///< Text: characters, one byte each; Object: "T", "C", "DB", "SDB", "FB", "FC"
   Span span;
 
   friend bool operator==(const Constant&, const Constant&) = default;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <string_view>
 
 #include "ir/s7300/declaration.hpp"
 
@@ -21,6 +22,7 @@ bool isOfBits(ConstantKind kind) {
 std::optional<std::uint64_t> bitsFor(TypeKind type, const Constant& c) {
   const auto plain = static_cast<std::uint64_t>(c.value);
   const auto given = [&](bool fits) { return fits ? std::optional(plain) : std::nullopt; };
+  const auto isObject = [&](std::string_view letters) { return c.kind == ConstantKind::Object && c.text == letters; };
   const bool isNumber = c.kind == ConstantKind::Integer || c.kind == ConstantKind::Long;
   switch (type) {
     case TypeKind::Bool:
@@ -54,12 +56,12 @@ std::optional<std::uint64_t> bitsFor(TypeKind type, const Constant& c) {
     case TypeKind::TimeOfDay:
       return given(c.kind == ConstantKind::TimeOfDay || (isOfBits(c.kind) && plain <= 0xFFFFFFFF));
     case TypeKind::DateAndTime: return given(c.kind == ConstantKind::DateAndTime);
-    case TypeKind::Timer:
-    case TypeKind::Counter:
-    case TypeKind::BlockDb:
-    case TypeKind::BlockSdb:
-    case TypeKind::BlockFc:
-    case TypeKind::BlockFb: return given(isNumber && plain <= 0xFFFF);
+    case TypeKind::Timer: return given((isNumber || isObject("T")) && plain <= 0xFFFF);
+    case TypeKind::Counter: return given((isNumber || isObject("C")) && plain <= 0xFFFF);
+    case TypeKind::BlockDb: return given((isNumber || isObject("DB")) && plain <= 0xFFFF);
+    case TypeKind::BlockSdb: return given((isNumber || isObject("SDB")) && plain <= 0xFFFF);
+    case TypeKind::BlockFc: return given((isNumber || isObject("FC")) && plain <= 0xFFFF);
+    case TypeKind::BlockFb: return given((isNumber || isObject("FB")) && plain <= 0xFFFF);
     default: return std::nullopt;
   }
 }
