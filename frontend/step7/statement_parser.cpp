@@ -134,18 +134,20 @@ class StatementParser {
     if (statement_.mnemonic.text == "UC" || statement_.mnemonic.text == "CC") braces();
   }
 
-  /// { P#L 210.1 } behind UC: what an upload shows of a block that the editor calls by itself.
+  /// { P#L 210.1, P#L 212.0 } behind UC, in one line or several: what an upload shows of a block that the editor calls
+  /// by itself.
   void braces() {
     cursor_.skipBlanks();
-    const std::size_t close = cursor_.peek() == '{' ? cursor_.text().find('}', cursor_.at()) : std::string_view::npos;
-    if (close == std::string_view::npos || close >= cursor_.lineEnd()) return;
+    const std::size_t close =
+        cursor_.peek() == '{' ? cursor_.text().find_first_of("};", cursor_.at() + 1) : std::string_view::npos;
+    if (close == std::string_view::npos || cursor_.text()[close] != '}') return;
     statement_.hasArguments = true;
     cursor_.skip(1);
-    for (cursor_.skipBlanks(); cursor_.peek() != '}'; cursor_.skipBlanks()) {
+    for (cursor_.skipSpace(remarks_); cursor_.peek() != '}'; cursor_.skipSpace(remarks_)) {
       OperandOutcome outcome = readOperand7(cursor_, spelling_);
       if (!outcome.fault.empty() || outcome.operand.form == OperandForm::None) break;
       statement_.pointers.push_back(std::move(outcome.operand));
-      cursor_.skipBlanks();
+      cursor_.skipSpace(remarks_);
       cursor_.take(',');
     }
     cursor_.to(static_cast<std::uint32_t>(close) + 1);

@@ -224,7 +224,8 @@ class ProjectBuilder {
                       fmt::format("{} is not between DB1 and DB{}", entry.name, lastDataBlock), entry.name, 0);
       return;
     }
-    if (const TypeTable::Doubt doubt = types_->doubtOf(entry.key); doubt.type && !types_->isOpaque(entry.key)) {
+    const TypeTable::Doubt doubt = types_->doubtOf(entry.key);
+    if (doubt.type && !types_->isOpaque(entry.key)) {
       declarations_->openBlocks.emplace(number, doubt.cause);
     } else if (doubt.value) {
       declarations_->openValues.push_back({number, 0, 0, doubt.cause});
@@ -235,7 +236,8 @@ class ProjectBuilder {
     if (entry.name != toString(entry.key)) block.name = entry.name;
     block.bytes = s7300::initialBytes(*structure);
     if (!types_->isOpaque(entry.key))
-      for (const Assignment& assignment : syntax.assignments) assign(entry, *structure, assignment, block.bytes);
+      for (const Assignment& assignment : syntax.assignments)
+        assign(entry, *structure, assignment, doubt.type, block.bytes);
     if (const auto image = images_.find(syntax.heading.file); image != images_.end())
       takeImage(*image->second, block.bytes);
     if (const std::optional<BlockKey> instance = types_->instanceOf(syntax)) block.instanceOf = irNumber(*instance);
@@ -254,10 +256,12 @@ class ProjectBuilder {
     std::copy_n(image.begin(), std::min(image.size(), bytes.size()), bytes.begin());
   }
 
-  void assign(const CatalogueEntry& entry, const Structure& structure, const Assignment& assignment,
+  /// A start value. Where the type of the block is not known, one finding has said so.
+  void assign(const CatalogueEntry& entry, const Structure& structure, const Assignment& assignment, bool isTypeInDoubt,
               std::vector<std::uint8_t>& bytes) {
     const s7300::PathResult found = lookUp(structure, assignment.path);
     if (found.fault != s7300::PathFault::None || found.byReference) {
+      if (isTypeInDoubt) return;
       const PathStep& step = assignment.path[std::min(found.step, assignment.path.size() - 1)];
       const bool isIndex = found.fault == s7300::PathFault::IndexRange || found.fault == s7300::PathFault::IndexCount;
       reports_.report(Syntax::NameUndefined, step.span,

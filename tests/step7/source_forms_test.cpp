@@ -66,10 +66,31 @@ TEST(SourceForms, ParametersInBraces) {
   const Output output = of("lint", {{"a.awl", block(1, calls)}});
   EXPECT_TRUE(output.has("error[SYN049]: SFC65097 is in none of the files (2 uses, this is the first)")) << output.text;
   EXPECT_FALSE(output.has("SYN044")) << output.text;
+  // As an upload breaks the lines.
+  const Output broken = of("lint", {{"a.awl", block(1,
+                                                    "UC     SFC65097 {\n            P#L 210.1,\n            P#L 211.0,"
+                                                    "\n            P#L 156.0};A I 0.0;= Q 0.0")}});
+  EXPECT_TRUE(broken.has("error[SYN049]: SFC65097 is in none of the files")) << broken.text;
+  EXPECT_FALSE(broken.has("SYN044")) << broken.text;
+  // A brace that nothing closes ends with its statement.
+  const Output open = of("lint", {{"a.awl", block(1, "UC SFC65097 {\n P#L 210.1;A I 0.0;= Q 0.0") + "// }\n"}});
+  EXPECT_TRUE(open.has("error[SYN044]: text behind the end of the statement")) << open.text;
   // What they give a block that is there, nobody knows either.
   const Output known = of("lint", {{"a.awl", "FUNCTION FC 3 : VOID\nBEGIN\nNETWORK\nNOP 0;\nEND_FUNCTION\n" +
                                                  block(1, "UC FC 3 { P#L 210.1 }")}});
   EXPECT_TRUE(known.has("error[SYN047]: what UC gives in braces is not known")) << known.text;
+}
+
+// The block is missing once, not once for each start value of its instance.
+TEST(SourceForms, StartValuesOfAMissingBlock) {
+  const std::string values = "BEGIN\n A := 1;\n B := FALSE;\n C := T 3;\nEND_DATA_BLOCK\n";
+  const Output output = of(
+      "lint", {{"a.awl", "DATA_BLOCK DB 5\n FB 7\n" + values + block(1, "A I 0.0;= Q 0.0;CALL FB 7, DB 5 (A := 1)")}});
+  EXPECT_TRUE(output.has("error[SYN042]: nothing defines the type FB 7")) << output.text;
+  EXPECT_FALSE(output.has("declares no")) << output.text;
+  const Output known = of(
+      "lint", {{"a.awl", "DATA_BLOCK DB 5\nSTRUCT\n A : INT;\nEND_STRUCT;\n" + values + block(1, "A I 0.0;= Q 0.0")}});
+  EXPECT_TRUE(known.has("error[SYN046]: DB5 declares no B")) << known.text;
 }
 
 const std::string recipe =
