@@ -49,7 +49,7 @@ void leavesOf(const s7300::Type& type, std::uint64_t first, const std::string& p
 void leavesOf(const s7300::Structure& structure, std::uint64_t base, const std::string& path, BitRange range,
               std::vector<Leaf>& leaves) {
   for (const s7300::Field& field : structure.fields) {
-    if (field.byReference) continue;
+    if (field.byReference || !field.viewOf.empty()) continue;
     leavesOf(field.type, base + field.byte * 8ULL + field.bit, path.empty() ? field.name : path + "." + field.name,
              range, leaves);
   }

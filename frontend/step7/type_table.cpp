@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "frontend/step7/operand_binder.hpp"
 #include "ir/s7300/library.hpp"
 
 namespace rungproof::step7 {
@@ -74,12 +75,6 @@ Type TypeTable::resolve(const TypeSyntax& syntax) {
 }
 
 std::optional<Field> TypeTable::field(const DeclarationSyntax& declaration) {
-  if (!declaration.view.empty()) {
-    doubtType(declaration.span);
-    reports_.report(Syntax::Declaration7, declaration.span,
-                    fmt::format("{}: views with AT are not covered", declaration.name.text));
-    return std::nullopt;
-  }
   Field field;
   field.name = declaration.name.text;
   field.span = declaration.name.span;
@@ -105,6 +100,28 @@ std::optional<Field> TypeTable::field(const DeclarationSyntax& declaration) {
   return field;
 }
 
+/// Whether the view of `seen` can be read; a finding says why not. `hasPlaces`: the fields lie in an instance or in
+/// local data; parameters of an FC lie where its caller says.
+bool TypeTable::isView(const DeclarationSyntax& declaration, const Field& view, const Field* seen, bool hasPlaces) {
+  const std::string& name = declaration.name.text;
+  const std::string fault = [&]() -> std::string {
+    if (seen == nullptr) return fmt::format("{}: nothing declares {} before its view", name, declaration.view);
+    const bool isHandedOn = seen->section == Section::InOut && s7300::isComplex(seen->type);
+    if (!hasPlaces || isHandedOn || isNumberType(seen->type.kind))
+      return fmt::format("{}: a view of a parameter that its caller holds is not covered", name);
+    if (!declaration.initial.empty()) return fmt::format("{}: a view has no start value", name);
+    const auto bits = [](const Type& type) { return type.kind == TypeKind::Bool ? 1 : s7300::sizeOf(type) * 8; };
+    const bool isKnown = seen->type.kind != TypeKind::Unknown && view.type.kind != TypeKind::Unknown;
+    if (isKnown && bits(view.type) > bits(seen->type))
+      return fmt::format("{} has {} bits, more than {} with {}", name, bits(view.type), seen->name, bits(seen->type));
+    return {};
+  }();
+  if (fault.empty()) return true;
+  doubtType(declaration.span);
+  reports_.report(Syntax::Declaration7, declaration.span, fault);
+  return false;
+}
+
 void TypeTable::append(const std::vector<DeclarationSyntax>& declarations, std::initializer_list<Section> sections,
                        Structure& structure) {
   std::unordered_map<std::string, std::size_t> fieldOf;  // by folded name
@@ -114,6 +131,14 @@ void TypeTable::append(const std::vector<DeclarationSyntax>& declarations, std::
     if (!isAmongSections(declaration.section, sections)) continue;
     std::optional<Field> made = field(declaration);
     if (!made) continue;
+    if (!declaration.view.empty()) {
+      const auto seen = fieldOf.find(s7300::foldedName(declaration.view));
+      const bool hasPlaces = isAmongSections(Section::Static, sections) || isAmongSections(Section::Temp, sections);
+      if (!isView(declaration, *made, seen == fieldOf.end() ? nullptr : &structure.fields[seen->second], hasPlaces))
+        continue;
+      made->viewOf = structure.fields[seen->second].name;
+      if (made->section != Section::Temp) made->section = Section::Static;  // no parameter of a call
+    }
     const auto [twin, isNew] = fieldOf.emplace(s7300::foldedName(made->name), structure.fields.size());
     if (!isNew) {
       const Span first = structure.fields[twin->second].span;

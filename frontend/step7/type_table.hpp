@@ -47,6 +47,7 @@ class TypeTable {
   s7300::Type resolve(const TypeSyntax& syntax);
   s7300::Type named(const TypeSyntax& syntax);
   std::optional<s7300::Field> field(const DeclarationSyntax& declaration);
+  bool isView(const DeclarationSyntax& declaration, const s7300::Field& view, const s7300::Field* seen, bool hasPlaces);
   void append(const std::vector<DeclarationSyntax>& declarations, std::initializer_list<Section> sections,
               s7300::Structure& structure);
   std::shared_ptr<const s7300::Structure> make(BlockKey key);

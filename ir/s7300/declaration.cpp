@@ -189,9 +189,27 @@ bool isSameType(const Type& a, const Type& b) {
                             [](const Field& x, const Field& y) { return isSameType(x.type, y.type); });
 }
 
+namespace {
+
+/// Views share the places of fields, which have theirs by now.
+void placeViews(Structure& structure) {
+  for (Field& field : structure.fields) {
+    if (field.viewOf.empty()) continue;
+    const Field* seen = &field;  // a view of a view leads to a field in the end: each names one that stands before it
+    while (!seen->viewOf.empty()) seen = structure.field(seen->viewOf);
+    field.byte = seen->byte;
+    field.bit = seen->bit;
+  }
+}
+
+}  // namespace
+
 void layOut(Structure& structure) {
   FreePlace next;
-  for (Field& field : structure.fields) placeField(field, next);
+  for (Field& field : structure.fields) {
+    if (field.viewOf.empty()) placeField(field, next);
+  }
+  placeViews(structure);
   next.even();
   structure.size = next.byte;
 }
@@ -201,11 +219,13 @@ void layOutInstance(Structure& structure) {
   FreePlace next;
   Section section = Section::Input;
   for (Field& field : structure.fields) {
+    if (!field.viewOf.empty()) continue;
     if (field.section != section) next.even();
     section = field.section;
     field.byReference = section == Section::InOut && isComplex(field.type);
     placeField(field, next);
   }
+  placeViews(structure);
   next.even();
   structure.size = next.byte;
 }

@@ -76,6 +76,7 @@ struct Field {
   std::uint32_t byte = 0;           ///< from the beginning of the structure
   std::uint8_t bit = 0;
   bool byReference = false;  ///< an IN_OUT of complex type in an instance: a POINTER of six bytes stands for it
+  std::string viewOf{};      ///< AT of SCL: the field of the same structure whose place it shares
 };
 
 struct Structure {
@@ -100,7 +101,7 @@ std::string toString(const Type& type);
 std::optional<Type> typeNamed(std::string_view name);
 
 /// Gives every field its place. Bits and bytes are packed, wider values begin at even bytes, the whole is filled up to
-/// an even length (002:673-679).
+/// an even length (002:673-679). A view lies where its field lies and takes no place of its own.
 void layOut(Structure& structure);
 /// The same for the instance of an FB: sections in the order IN, OUT, IN_OUT, STAT, each at an even byte; fields are
 /// sorted so. An IN_OUT of complex type gets the six bytes of a POINTER.

@@ -125,7 +125,7 @@ void writeDefaults(const Type& type, std::uint64_t byte, std::vector<std::uint8_
 
 void writeFields(const Structure& structure, std::uint64_t byte, std::vector<std::uint8_t>& bytes) {
   for (const Field& field : structure.fields) {
-    if (field.byReference) continue;
+    if (field.byReference || !field.viewOf.empty()) continue;
     writeDefaults(field.type, byte + field.byte, bytes);
     if (!field.initial.empty()) writeValues(field.type, field.initial, byte + field.byte, field.bit, bytes);
   }
