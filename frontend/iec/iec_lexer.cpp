@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 #include "frontend/stl/directive.hpp"
 #include "frontend/stl/stl_lexer.hpp"
@@ -113,21 +114,27 @@ class IecLexer {
     return text_.size();
   }
 
+  /// Behind the comment that begins here and those within it; nothing if there are fewer ends than beginnings.
+  std::optional<std::size_t> endOfNested(std::string_view open, std::string_view close) const {
+    std::size_t depth = 0;
+    for (std::size_t i = at_; i < text_.size();) {
+      const std::string_view mark = text_.substr(i, 2);
+      i += mark == open || mark == close ? 2 : 1;
+      if (mark == open) ++depth;
+      if (mark == close && --depth == 0) return i;
+    }
+    return std::nullopt;
+  }
+
+  /// Comments stand in comments, as in the third edition of the standard. A text whose comments would then have no end
+  /// is one for MatIEC: there the first mark that ends a comment ends it.
   void nested(std::string_view open, std::string_view close) {
     const std::size_t first = at_;
-    std::size_t depth = 0;
-    while (at_ < text_.size()) {
-      if (sees(open)) {
-        ++depth;
-        at_ += 2;
-      } else if (sees(close)) {
-        at_ += 2;
-        if (--depth == 0) break;
-      } else {
-        ++at_;
-      }
-    }
-    if (depth > 0)
+    const std::optional<std::size_t> end = isFlat_ ? std::nullopt : endOfNested(open, close);
+    const std::size_t firstEnd = end ? *end : text_.find(close, first + 2);
+    isFlat_ = !end;
+    at_ = end ? *end : firstEnd == std::string_view::npos ? text_.size() : firstEnd + 2;
+    if (firstEnd == std::string_view::npos)
       sink_.report(source_.mistake(),
                    source_.span(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(first) + 2),
                    "the comment has no end");
@@ -269,6 +276,7 @@ class IecLexer {
   std::string_view text_;
   SyntaxSink& sink_;
   std::vector<Directive>& directives_;
+  bool isFlat_ = false;  ///< comments do not stand in comments
   std::size_t at_ = 0;
 };
 

@@ -225,8 +225,24 @@ class PlcopenText : private PlcopenBodies {
     made.address = node.attribute("address").value();
     made.section = section;
     made.type = typeOf(firstElement(childNamed(node, "type")));
+    const bool isText = localName(firstElement(childNamed(node, "type"))) == "string";
     if (const pugi::xml_node initial = childNamed(node, "initialValue"))
-      made.initial = std::make_shared<Initial>(initialOf(firstElement(initial)));
+      made.initial =
+          std::make_shared<Initial>(isText ? initialText(firstElement(initial)) : initialOf(firstElement(initial)));
+    return made;
+  }
+
+  /// Beremiz writes the value of a STRING without quotes.
+  Initial initialText(const pugi::xml_node& node) {
+    std::string text = node.attribute("value").value();
+    if (localName(node) != "simpleValue" || text.starts_with('\'') || text.starts_with('"') ||
+        text.starts_with("STRING#"))
+      return initialOf(node);
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' || c == '$' ? std::string{'$', c} : std::string(1, c);
+    Initial made;
+    made.span = xml_.span(*part_, node);
+    made.value = expression(quoted + "'", node);
     return made;
   }
 

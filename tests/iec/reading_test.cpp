@@ -59,6 +59,42 @@ TEST(IecReading, WrongTextsAreNamed) {
   }
 }
 
+// Comments stand in comments (third edition). Where one would then have no end, the text was written for MatIEC, which
+// ends a comment at the first mark: only one of the two readings leaves a program.
+TEST(IecReading, CommentsInComments) {
+  const std::string variables = "VAR a : INT; b : INT; END_VAR";
+  IecRun nested(iecProgram(variables, "a := 1; (* off: (* old *) a := 2; *) b := 3;"));
+  nested.scan();
+  EXPECT_EQ(nested.get("a"), 1);
+  EXPECT_EQ(nested.get("b"), 3);
+  IecRun flat(iecProgram(variables, "a := 1; (* off: (* old *) a := 2; (* again (* twice *) b := 3; (* plain *)"));
+  flat.scan();
+  EXPECT_EQ(flat.get("a"), 2);
+  EXPECT_EQ(flat.get("b"), 3);
+}
+
+// Beremiz writes the initial value of a STRING without quotes, CODESYS with them. 'LEN' counts what stands there.
+TEST(IecReading, InitialTextsOfXml) {
+  for (const auto& [value, length] : {std::pair{"blup", 4}, {"'blup'", 4}, {"it's", 4}, {"", 0}, {"a$b", 3}}) {
+    const std::string xml =
+        "<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\"><types><dataTypes/><pous><pou name=\"main\" "
+        "pouType=\"program\"><interface><localVars><variable name=\"s\"><type><string/></type><initialValue>"
+        "<simpleValue value=\"" +
+        std::string(value) +
+        "\"/></initialValue></variable><variable "
+        "name=\"n\"><type><INT/></type></variable></localVars></interface><body>"
+        "<ST><xhtml:p xmlns:xhtml=\"http://www.w3.org/1999/xhtml\">n := LEN(s);</xhtml:p></ST></body></pou></pous>"
+        "</types><instances><configurations/></instances></project>";
+    const Program program = readText("test.xml", xml);
+    EXPECT_EQ(findingsIec(program), "") << value;
+    Simulator simulator(program, {});
+    simulator.scan({10000});
+    const std::optional<Operand> count = lookupIn(program)("n");
+    ASSERT_TRUE(count.has_value()) << value;
+    EXPECT_EQ(simulator.read(*count), length) << value;
+  }
+}
+
 TEST(IecReading, AllErrorsAreToldInOneRun) {
   const Program program =
       readIecText(iecProgram("VAR a : INT; b : REAL; END_VAR", "a := b;\nc := 1;\na := 1;\nd := 2;"));
