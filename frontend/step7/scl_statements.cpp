@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "frontend/step7/cursor.hpp"
 #include "frontend/step7/scl_lowering.hpp"
 #include "frontend/stl/syntax_sink.hpp"
 #include "ir/s7300/index_check.hpp"
@@ -31,6 +32,15 @@ bool writesOk(const iec::Statements& all) {
                       iec::foldedName(one.target->parts[0].name) == "OK";
     return isOk || writesOk(one.otherwise) ||
            std::ranges::any_of(one.branches, [](const iec::Branch& branch) { return writesOk(branch.body); });
+  });
+}
+
+/// What nobody executes is bound for its names. Labels that the lowering made may be missing where it broke off.
+void leaveUnread(NetworkSyntax& network) {
+  network.isUnread = true;
+  std::erase_if(network.statements, [](const Statement& statement) {
+    const std::string& label = statement.operand.name;
+    return statement.operand.form == OperandForm::Word && !label.empty() && isDecimal(label[0]);
   });
 }
 
@@ -87,7 +97,7 @@ std::vector<NetworkSyntax> SclLowering::lower(const SclBody& body, const Network
     }
   }
   if (!isWhole_) {
-    for (NetworkSyntax& network : networks) network.isUnread = true;
+    for (NetworkSyntax& network : networks) leaveUnread(network);
   }
   return networks;
 }
@@ -100,7 +110,7 @@ void SclLowering::lowerInto(const SclBody& body, NetworkSyntax& network) {
   network.isStructured = true;
   span_ = network.span;
   statements(body.statements);
-  network.isUnread = network.isUnread || !isWhole_;
+  if (!isWhole_) leaveUnread(network);
 }
 
 void SclLowering::statements(const iec::Statements& all) {

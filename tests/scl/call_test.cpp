@@ -21,6 +21,17 @@ TEST(SclCalls, FunctionWithAValue) {
   EXPECT_EQ(lastRow(half + mainOf("FC5(x := 8, odd => M30.0);"), "M30.0"), "1,0");
 }
 
+// BLKMOV is SFC 20 of the CPU: three bytes are copied, 1 2 3 is 16#0102_03.
+TEST(SclCalls, BlocksOfTheCpuByTheirNames) {
+  const std::string arrays = "VAR_TEMP\n a : ARRAY[0..2] OF BYTE; b : ARRAY[0..2] OF BYTE; r : INT;\nEND_VAR\n";
+  const std::string fill = "#a[0] := 1; #a[1] := 2; #a[2] := 3;\n";
+  for (const char* call : {"#r := BLKMOV(SRCBLK := #a, DSTBLK => #b);", "#r := SFC20(SRCBLK := #a, DSTBLK := #b);"})
+    EXPECT_EQ(lastRow(mainOf(fill + call + std::string(" MB20 := #b[0]; MB21 := #b[2]; MW22 := #r;"), arrays),
+                      "MB20,MB21,MW22"),
+              "1,1,3,0")
+        << call;
+}
+
 TEST(SclCalls, ValueNamedAfterTheFunction) {
   const std::string scale =
       "FUNCTION \"Scale\" : REAL\nVAR_INPUT\n x : INT;\nEND_VAR\nBEGIN\n #Scale := #x * 1.5;\nEND_FUNCTION\n";

@@ -135,5 +135,15 @@ TEST(SclMalformed, CutOffAnywhere) {
     EXPECT_NE(commandOn("lint", whole.substr(0, length)).text, "") << length;
 }
 
+// A statement that cannot be read inside of others: the finding is about it, not about jumps that it was to lead to.
+TEST(SclMalformed, NothingIsSaidOfJumpsThatNobodyWrote) {
+  for (const char* body : {"IF #f THEN #a := #f; ELSIF #a = #f THEN #a := 2; END_IF;",
+                           "CASE #a OF 1: #a := #f; 2: #a := 3; END_CASE;", "WHILE #f DO #a := #f; END_WHILE;"}) {
+    const Output output = commandOn("lint", mainOf(body, declared));
+    EXPECT_TRUE(output.has("error[SYN075]")) << body << output.text;
+    EXPECT_FALSE(output.has("SYN048")) << body << output.text;
+  }
+}
+
 }  // namespace
 }  // namespace rungproof
