@@ -32,7 +32,7 @@ constexpr auto modelsOf() {
 
 constexpr auto models300 = modelsOf<false>();
 constexpr auto models400 = modelsOf<true>();
-constexpr EditionModel editionModels[] = {{Edition::Step7, "step7-5.4", "STEP 7 V5.4"}};
+constexpr EditionModel step7Models[] = {{Edition::Step7, "step7-5.4", "STEP 7 V5.4"}};
 
 /// Each read of PIW asks the module (002:1292).
 bool asksModules(const Target&) { return true; }
@@ -133,7 +133,7 @@ constinit const Dialect s7300Dialect{
     .title = "S7-300",
     .set = dialect::S7300,
     .cpus = models300,
-    .editions = editionModels,
+    .editions = step7Models,
     .usual = {step7Cpu("319-3"), Edition::Step7},
     .instructions = s7300Instructions,
     .systemBits = {},
@@ -148,7 +148,7 @@ constinit const Dialect s7400Dialect{
     .title = "S7-400",
     .set = dialect::S7300,
     .cpus = models400,
-    .editions = editionModels,
+    .editions = step7Models,
     .usual = {step7Cpu("417"), Edition::Step7},
     .instructions = s7300Instructions,
     .systemBits = {},

@@ -463,6 +463,7 @@ TEST(Layout, NamesInUnnamedNamespacesDifferWhereFilesAreCompiledTogether) {
   std::size_t count = 0;
   for (const Source& source : sources()) {
     if (source.path.extension() != ".cpp" || source.folder == "frontend/reader") continue;  // compiled one by one
+    if (source.folder == "engine/platform/windows") continue;  // in the place of engine/platform/posix
     static const std::set<std::string> brief = {"analysis/drawing",   "analysis/export", "analysis/asking",
                                                 "analysis/witness",   "analysis/proof",  "analysis/equivalence",
                                                 "analysis/selfcheck", "analysis/testing"};
