@@ -272,24 +272,25 @@ bool DeclarationParser::valueList(std::vector<Constant>& values, int depth) {
   } while (true);
 }
 
-/// T 5, Z 5, DB 5: what STEP 7 writes behind a variable of type TIMER, COUNTER or BLOCK_DB in an instance.
+/// T 5, Z5, DB 5: what STEP 7 writes behind a variable of type TIMER, COUNTER or BLOCK_DB in an instance.
 std::optional<Constant> DeclarationParser::objectNumber() {
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> objects = {
       {{"T", "T"}, {"C", "C"}, {"Z", "C"}, {"DB", "DB"}, {"SDB", "SDB"}, {"FB", "FB"}, {"FC", "FC"}}};
   const std::uint32_t from = cursor_.at();
-  for (const auto& [word, letters] : objects) {
-    if (!cursor_.takeWord(word)) continue;
-    cursor_.skipBlanks();
-    Constant constant;
-    constant.kind = s7300::ConstantKind::Object;
-    constant.text = letters;
-    const std::uint32_t digits = cursor_.at();
-    for (; isDecimal(cursor_.peek()) && constant.value <= 0xFFFF; cursor_.skip(1))
-      constant.value = constant.value * 10 + (cursor_.peek() - '0');
-    constant.span = cursor_.spanFrom(from);
-    if (cursor_.at() > digits && constant.value <= 0xFFFF && !isWordByte(cursor_.peek())) return constant;
-    break;
-  }
+  const std::string_view word = cursor_.peekWord();
+  const std::string_view letters = word.substr(0, word.find_first_of("0123456789"));
+  const auto object = std::ranges::find_if(objects, [&](const auto& row) { return equalsWord(letters, row.first); });
+  if (object == objects.end()) return std::nullopt;
+  cursor_.skip(letters.size());
+  cursor_.skipBlanks();
+  Constant constant;
+  constant.kind = s7300::ConstantKind::Object;
+  constant.text = object->second;
+  const std::uint32_t digits = cursor_.at();
+  for (; isDecimal(cursor_.peek()) && constant.value <= 0xFFFF; cursor_.skip(1))
+    constant.value = constant.value * 10 + (cursor_.peek() - '0');
+  constant.span = cursor_.spanFrom(from);
+  if (cursor_.at() > digits && constant.value <= 0xFFFF && !isWordByte(cursor_.peek())) return constant;
   cursor_.to(from);
   return std::nullopt;
 }

@@ -68,7 +68,7 @@ constexpr MalformedCase malformedCases[] = {
     {"#r := SQRT(#f);", "10:12", "#f is BOOL, and REAL is needed here"},
     {"#w := SHL(#a, 2);", "10:11", "SHL takes BYTE, WORD and DWORD"},
     {"#r := DWORD_TO_REAL(#dw);", "10:7", "the conversion DWORD_TO_REAL is not covered"},
-    {"#a := LEN(#s);", "10:7", "the function LEN is not covered"},
+    {"#a := MOVE_BLK(#s);", "10:7", "the function MOVE_BLK is not covered"},
     {"#s := 'abc';", "10:1", "such a value is not covered"},
     {"#r := #r ** 2;", "10:7", "the operator ** is not modelled"},
     {"#a := S_ODT(T_NO := 5);", "10:7", "S_ODT needs T_NO"},

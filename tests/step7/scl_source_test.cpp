@@ -34,12 +34,12 @@ TEST(SclSource, BodyIsProvedBesideAStatementList) {
 TEST(SclSource, WhatIsNotCoveredIsSaid) {
   const test::TemporaryFolder folder;
   std::string text = scaling;
-  text.replace(text.find("#x / 2"), 6, "LEN('ab')");
+  text.replace(text.find("#x / 2"), 6, "PEEK('ab')");
   folder.file("scale.scl", text);
   folder.file("main.awl", test7::block(1, "CALL \"Scale\" (x := 5, RET_VAL := MW 10);L MW 10;T MW 12"));
   folder.file("p.prop", "prove value: MW12 == 2\n");
   const Output lint = test7::run({"lint", folder.path("scale.scl"), folder.path("main.awl")});
-  EXPECT_TRUE(lint.has("warning[SYN037]: the function LEN is not covered")) << lint.text;
+  EXPECT_TRUE(lint.has("warning[SYN037]: the function PEEK is not covered")) << lint.text;
   const Output proof =
       test7::run({"prove", folder.path("scale.scl"), folder.path("main.awl"), "--props", folder.path("p.prop")});
   EXPECT_TRUE(proof.has("NOT COVERED  value")) << proof.text;
