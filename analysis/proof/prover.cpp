@@ -192,7 +192,7 @@ class Session {
         if (row.certificate.empty())
           row.notes.push_back("the form of the program decides it: there is nothing to certify");
       }
-      checkVacuity(row);
+      checkVacuity(row, answer.seconds + search_.quick(question).seconds);
       if (options_.evidence && options_.explains) row.networks = networksOf(question, answer);
     } else if (answer.answer == Answer::Violated) {
       unconfirmed(question, answer, row, run);
@@ -360,7 +360,7 @@ class Session {
 
   /// A property whose premise can never be met, assumptions that no run meets, or a program that ends no scan prove
   /// nothing.
-  void checkVacuity(ProofResult& row) {
+  void checkVacuity(ProofResult& row, double proofSeconds) {
     if (row.builtin) return;
     if (goalOf_.empty()) {
       for (std::size_t i = 0; i < goals().size(); ++i) goalOf_.emplace(goals()[i].name, i);
@@ -380,7 +380,9 @@ class Session {
       return;
     }
     if (premise == goals().size() || row.outcome != Outcome::Proved) return;
-    const Answer answer = search_.supporting(premise, schedule::premiseSeconds);
+    const double seconds =
+        std::clamp(proofSeconds * schedule::premiseShare, schedule::leastPremiseSeconds, schedule::premiseSeconds);
+    const Answer answer = search_.supporting(premise, seconds);
     if (answer == Answer::Proved) {
       row.outcome = Outcome::Vacuous;
       row.notes.push_back(fmt::format("the premise '{}' can never be met", goals()[premise].text));

@@ -19,6 +19,8 @@
   ROW(double, withoutEstimatesSeconds, 0.02, "s", "for bounded search for a run that rests on no estimate, where random runs show none") \
   ROW(double, rulesShare, 0.75, "of lint --prove", "for all rules but those about power-up, which need a run of their own") \
   ROW(double, premiseSeconds, 5, "s", "for a question that a verdict is checked with, such as its premise") \
+  ROW(double, premiseShare, 3, "of the proof", "for a run that meets the premise of what is proved: the search only decides between two words") \
+  ROW(double, leastPremiseSeconds, 0.5, "s", "of these, however quick the proof was") \
   ROW(double, quickSeconds, 0.5, "s", "for each question while all are looked at together") \
   ROW(double, mostWait, 5, "s", "on the clock for each second of the processor, where others have it") \
   ROW(double, quickRaceSeconds, 0.12, "s", "of these for the race of the engines, which goes on where the question has its own time") \
