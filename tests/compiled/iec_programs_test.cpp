@@ -8,6 +8,8 @@
 #include "tests/compiled/engine_pair.hpp"
 #include "tests/iec/iec_run.hpp"
 #include "tests/iec/random_iec_program.hpp"
+#include "tests/iec/random_library_program.hpp"
+#include "tests/iec/random_type_program.hpp"
 #include "tests/program_run.hpp"
 
 namespace rungproof::test {
@@ -30,6 +32,16 @@ TEST(IecPrograms, RandomOnesAgree) {
     scans += static_cast<std::uint64_t>(outcome.scans);
   }
   EXPECT_GE(compiled * 2, scans) << "half of the scans run as machine code";
+}
+
+TEST(IecPrograms, AllTypesAndBlocksAgree) {
+  const char* const asked = std::getenv("RUNGPROOF_PROGRAMS");
+  const std::uint64_t count = asked == nullptr ? 40 : std::strtoull(asked, nullptr, 10), seed = testSeed();
+  for (std::uint64_t i = 0; i < count; ++i) {
+    for (const std::string& text :
+         {iec_types::TypeProgram(seed + i).text(), iec_naive::LibraryProgram(seed + i).text()})
+      ASSERT_EQ(bothEngines(readIecText(text), seed + i).difference, "") << "seed " << seed + i << "\n" << text;
+  }
 }
 
 TEST(IecPrograms, ThoseOfTheCorpusAgree) {

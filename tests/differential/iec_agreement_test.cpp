@@ -9,7 +9,11 @@
 #include "tests/differential/random_source.hpp"
 #include "tests/differential/scan_agreement.hpp"
 #include "tests/iec/random_block_program.hpp"
+#include "tests/iec/random_chart.hpp"
 #include "tests/iec/random_iec_program.hpp"
+#include "tests/iec/random_library_program.hpp"
+#include "tests/iec/random_list.hpp"
+#include "tests/iec/random_type_program.hpp"
 
 namespace rungproof {
 namespace {
@@ -47,6 +51,22 @@ void agreeOnAll(std::uint64_t offset, int standard, int scans, Make&& make) {
 
 TEST(IecAgreement, PlainPrograms) {
   agreeOnAll(0, 60, 40, [](std::uint64_t seed) { return iec_random::IecProgram(seed).text(); });
+}
+
+TEST(IecAgreement, AllTypes) {
+  agreeOnAll(10000, 20, 20, [](std::uint64_t seed) { return iec_types::TypeProgram(seed, false).text(); });
+}
+
+TEST(IecAgreement, TheLibrary) {
+  agreeOnAll(15000, 30, 30, [](std::uint64_t seed) { return iec_naive::LibraryProgram(seed).text(); });
+}
+
+TEST(IecAgreement, Lists) {
+  agreeOnAll(20000, 40, 20, [](std::uint64_t seed) { return iec_list::RandomList(seed).text(); });
+}
+
+TEST(IecAgreement, Charts) {
+  agreeOnAll(25000, 40, 30, [](std::uint64_t seed) { return iec_chart::TokenGame(seed).text(); });
 }
 
 TEST(IecAgreement, BlocksTextsAndLongTypes) {

@@ -2,8 +2,8 @@
 // RUNGPROOF_IEC_SCANS: how many scans, for longer runs; RUNGPROOF_SEED: the first seed.
 #include <cmath>
 
-#include "tests/iec/iec_run.hpp"
 #include "tests/iec/random_block_program.hpp"
+#include "tests/iec/random_campaign.hpp"
 
 namespace rungproof {
 namespace {
@@ -15,30 +15,15 @@ iec_naive::State startOfBlocks() {
   return state;
 }
 
-/// Behind the length of a text its characters lie.
-std::string textOf(const IecRun& run, const std::string& name) {
-  Operand at = run.place(name + ".length");
-  std::string characters(run.simulator.read(at), ' ');
-  for (char& c : characters) {
-    ++at.offset;
-    c = static_cast<char>(run.simulator.read(at));
-  }
-  return characters;
-}
-
 TEST(IecRandom, BlocksComputeWhatPlainCodeDoes) {
-  const char* const asked = std::getenv("RUNGPROOF_IEC_SCANS");
-  const char* const first = std::getenv("RUNGPROOF_SEED");
-  const std::uint64_t scans = asked == nullptr ? 6000 : std::strtoull(asked, nullptr, 10);
-  const std::uint64_t seed = first == nullptr ? 7100 : std::strtoull(first, nullptr, 10);
-  constexpr std::uint64_t each = 30;
-  for (std::uint64_t i = 0; i < (scans + each - 1) / each; ++i) {
-    iec_naive::BlockProgram made(seed + i);
-    SCOPED_TRACE(fmt::format("seed {}\n{}", seed + i, made.text()));
+  const RandomCampaign campaign(6000, 30, 7100);
+  for (std::uint64_t seed = campaign.firstSeed; seed < campaign.lastSeed; ++seed) {
+    iec_naive::BlockProgram made(seed);
+    SCOPED_TRACE(fmt::format("seed {}\n{}", seed, made.text()));
     IecRun run(made.text());
     if (testing::Test::HasFailure()) return;
     iec_naive::State state = startOfBlocks();
-    for (std::uint64_t scan = 1; scan <= each; ++scan) {
+    for (std::uint64_t scan = 1; scan <= campaign.scansOfEach; ++scan) {
       for (const char* const name : iec_naive::BlockProgram::inputs) {
         state.whole[name] = made.pick(0, 1);
         run.set(name, static_cast<double>(state.whole[name]));
