@@ -1,5 +1,6 @@
 // Instructions of the machine: loads, stores, indices of arrays.
 #include "frontend/iec/iec_lowering.hpp"
+#include "frontend/iec/iec_tree.hpp"
 #include "ir/iec/isa.hpp"
 
 namespace rungproof::iec {
@@ -125,6 +126,28 @@ void Lowering::writeReference(Scope& scope, const Reference& reference) {
 
 /// Arrays and structures, value by value.
 void Lowering::copy(Scope& scope, const Reference& from, const Reference& to) {
+  std::vector<ExprPtr> held;
+  const Reference source = withHeldIndices(scope, from, held), target = withHeldIndices(scope, to, held);
+  copyParts(scope, source, target);
+}
+
+/// Indices of a whole that is copied part by part are computed once: a part may be what an index reads.
+Reference Lowering::withHeldIndices(Scope& scope, Reference at, std::vector<ExprPtr>& held) {
+  if (at.type->isValue()) return at;
+  for (Reference::Index& index : at.indices) {
+    const Type* type = value(scope, *index.index, elementaryType("DINT"));
+    const std::string name = fmt::format("__INDEX_{}", scope.self->names.size());
+    Variable made;
+    made.type = type;
+    made.offset = allocate(type->bytes);
+    scope.self->names.emplace(name, made);
+    store(*type, made.offset);
+    index.index = held.emplace_back(pathOf({name}, index.index->span)).get();
+  }
+  return at;
+}
+
+void Lowering::copyParts(Scope& scope, const Reference& from, const Reference& to) {
   if (isText(from.type)) {
     if (!from.indices.empty())
       refuse(network_->span, "a text in an array with a computed index is not modelled", Syntax::IecNotModelled);
@@ -140,7 +163,7 @@ void Lowering::copy(Scope& scope, const Reference& from, const Reference& to) {
     source.type = target.type = &type;
     source.offset += offset;
     target.offset += offset;
-    copy(scope, source, target);
+    copyParts(scope, source, target);
   };
   if (from.type->kind == Kind::Struct) {
     for (const Field& field : from.type->fields) part(*field.type, field.offset);

@@ -186,6 +186,8 @@ class Lowering {
   void pushIndex(Scope& scope, const Reference& reference);
   void element(std::string_view mnemonic, const Reference& reference);
   void copy(Scope& scope, const Reference& from, const Reference& to);
+  void copyParts(Scope& scope, const Reference& from, const Reference& to);
+  Reference withHeldIndices(Scope& scope, Reference at, std::vector<ExprPtr>& held);
   Instruction& last() { return network_->instructions.back(); }
 
   // iec_statements.cpp
@@ -238,6 +240,7 @@ class Lowering {
   static void loseResult(Scope& scope);
   ExprPtr currentResult(Scope& scope, Span span);
   ExprPtr heldValue(Scope& scope, const Expr& value, int depth);
+  const Expr* heldChoice(Scope& scope, const Expr& expr);
   void jumpUnlessResult(Scope& scope, bool isNegated, Span span, int label);
   void carryResult(Scope& scope, const std::string& label, Span span);
   std::optional<Operands> writtenByLine(Scope& scope, const Statement& one);

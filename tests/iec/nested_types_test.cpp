@@ -96,5 +96,20 @@ TEST(IecNestedTypes, ABlockInItselfIsNamed) {
              "contain each other"));
 }
 
+// The copy is of one element: its own parts, which an index may read, do not move it half way.
+TEST(IecNested, TheIndexOfACopiedStructureIsComputedOnce) {
+  const auto seen = [](const std::string& statement, const std::string& name) {
+    IecRun run("TYPE row : STRUCT a, b, c : INT; END_STRUCT; END_TYPE\n" +
+               iecProgram("VAR s, t : row; rows : ARRAY [0..1] OF row; END_VAR",
+                          "s.a := 1; s.b := 1; s.c := 5; t.b := 0; rows[0].b := 0; rows[0].c := 7; rows[1].c := 8;\n" +
+                              statement));
+    run.scan();
+    return run.get(name);
+  };
+  EXPECT_EQ(seen("rows[rows[0].b] := s;", "rows[0].c"), 5);
+  EXPECT_EQ(seen("rows[rows[0].b] := s;", "rows[1].c"), 8);
+  EXPECT_EQ(seen("rows[0].b := 1; t := rows[t.b];", "t.c"), 7);
+}
+
 }  // namespace
 }  // namespace rungproof
