@@ -36,11 +36,14 @@ struct Lowering::ListState {
   std::vector<Open> open;
   std::map<std::string, Mark> marks;
   bool isReachable = true;
-  std::string since;  ///< the label whose result is still the current one
+  std::string since;             ///< the label whose result is still the current one
+  std::vector<ExprPtr> choices;  ///< numbers without a type that are no literals
   std::map<std::pair<int, const Type*>, std::string> held;
 };
 
 namespace {
+
+constexpr std::size_t mostChosen = 64;  ///< inputs of MUX and its number, as FunctionKind::Mux has them
 
 /// The operator of an expression; nothing for what is no operator of two sides.
 std::string_view operatorOfList(const std::string& name) {
@@ -54,6 +57,16 @@ std::string_view operatorOfList(const std::string& name) {
 bool changesResult(const ListLine& line) {
   return line.op != "ST" && line.op != "S" && line.op != "R" && line.op != "CAL" && line.op != "JMP" &&
          line.op != "RET";
+}
+
+/// What may have no type of its own although it is no literal: SEL and MUX of numbers, and what is computed of that. A
+/// quotient is computed in its own line, because it can be a fault.
+bool mayTakeAnyType(const Expr& expr) {
+  if (expr.kind == ExprKind::Binary) return expr.text != "/" && expr.text != "MOD";
+  if (expr.kind != ExprKind::Call || expr.parts.size() != 1 || expr.arguments.size() > mostChosen) return false;
+  const std::string name = foldedName(expr.parts[0].name);
+  return (name == "SEL" || name == "MUX") &&
+         std::ranges::none_of(expr.arguments, [](const Argument& one) { return one.isOutput || one.value == nullptr; });
 }
 
 }  // namespace
@@ -104,6 +117,21 @@ ExprPtr Lowering::heldValue(Scope& scope, const Expr& expr, int depth) {
   return pathOf({name}, expr.span);
 }
 
+/// Such numbers take the type of what the result goes into, as a literal does: they are computed there, and what they
+/// choose by is asked now. What MUX does about a wrong number happens here.
+const Expr* Lowering::heldChoice(Scope& scope, const Expr& expr) {
+  ListState& list = *scope.list;
+  ExprPtr& made = list.choices.emplace_back(copyOf(expr));
+  if (made->kind != ExprKind::Call) return made.get();
+  for (std::size_t i = 0; i < made->arguments.size(); ++i) {
+    ExprPtr& argument = made->arguments[i].value;
+    const int place = -2 - static_cast<int>(list.choices.size() * mostChosen + i);
+    if (typeOf(scope, *argument) != nullptr) argument = heldValue(scope, *argument, place);
+  }
+  if (foldedName(made->parts[0].name) == "MUX") heldValue(scope, *made, -1);
+  return made.get();
+}
+
 /// Makes the value the current result.
 void Lowering::loadResult(Scope& scope, const Expr& expr) {
   ListState& list = *scope.list;
@@ -111,6 +139,10 @@ void Lowering::loadResult(Scope& scope, const Expr& expr) {
   list.current = {};
   if (expr.kind == ExprKind::Literal && typeOf(scope, expr) == nullptr) {
     list.current.number = &expr;
+    return;
+  }
+  if (mayTakeAnyType(expr) && typeOf(scope, expr) == nullptr) {
+    list.current.number = heldChoice(scope, expr);
     return;
   }
   const int depth = static_cast<int>(list.open.size());

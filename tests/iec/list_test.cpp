@@ -165,6 +165,22 @@ TEST(IecList, FunctionsInAList) {
   EXPECT_EQ(run.get("r"), 9);
 }
 
+/// Numbers take the type of what the result goes into, however late that is seen, and what chooses is asked at once.
+TEST(IecList, ChosenNumbersTakeTheTypeOfTheirTarget) {
+  const auto seen = [](const std::string& type, const std::string& lines) {
+    IecRun run(listProgram("VAR_INPUT a : BOOL; k : INT; END_VAR VAR n : " + type + "; END_VAR", lines));
+    return run.follow("n", {{"a", {0, 1}}, {"k", {0, 2}}});
+  };
+  for (const char* const type : {"SINT", "INT", "UINT", "LINT", "ULINT"}) {
+    EXPECT_EQ(seen(type, "LD a\nSEL 7, 9\nST n"), (Row{7, 9})) << type;
+    EXPECT_EQ(seen(type, "LD k\nMUX 5, 6, 8\nST n"), (Row{5, 8})) << type;
+    EXPECT_EQ(seen(type, "LD a\nSEL 7, 9\nADD 1\nST n"), (Row{8, 10})) << type;
+    EXPECT_EQ(seen(type, "LD 3\nADD( a\nSEL 7, 9\n)\nST n"), (Row{10, 12})) << type;
+  }
+  EXPECT_EQ(seen("INT", "LD a\nSEL 7, 9\nGT 8\nJMPC on\nLD 1\nST n\nRET\non: LD 2\nST n"), (Row{1, 2}));
+  EXPECT_EQ(seen("INT", "SEL(G := a, IN0 := 7, IN1 := 9)\nST n"), (Row{7, 9}));
+}
+
 TEST(IecList, BodiesInAListAreWrittenOutToo) {  // IN_OUT: the body stands where it is called, its RET leaves it alone
   IecRun run(
       "FUNCTION_BLOCK inc VAR_INPUT e : BOOL; END_VAR VAR_IN_OUT z : INT; END_VAR\nLD e\nRETCN\nLD z\nADD 1\nST "
