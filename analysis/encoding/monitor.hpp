@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "analysis/property.hpp"
+#include "analysis/unsigned_number.hpp"
 #include "ir/check.hpp"
 #include "ir/domain.hpp"
 #include "ir/long_real_order.hpp"
@@ -91,7 +92,7 @@ class Monitor {
       case ExprOp::Less:
       case ExprOp::LessEqual:
       case ExprOp::Greater:
-      case ExprOp::GreaterEqual: return bits(compare(n, argNode(0), arg(0), argNode(1), arg(1)));
+      case ExprOp::GreaterEqual: return bits(compare(expr, n, value));
       case ExprOp::Add:
         return isLong(n)                  ? longReal(LongRealOperation::Add, expr, n, value)
                : n.type == ExprType::Real ? d.radd(real(0, expr, n, value), real(1, expr, n, value))
@@ -165,7 +166,9 @@ class Monitor {
     return d.longReal(static_cast<std::uint64_t>(which), arg(0), arg(1), 64);
   }
 
-  Bool compare(const ExprNode& n, const ExprNode& left, Bits a, const ExprNode& right, Bits b) {
+  Bool compare(const Expr& expr, const ExprNode& n, const std::vector<Bits>& value) {
+    const ExprNode &left = expr.nodes[n.args[0]], &right = expr.nodes[n.args[1]];
+    const Bits a = value[n.args[0]], b = value[n.args[1]];
     if (isLong(left) || isLong(right)) {
       const Bits x = asLongReal(a, left), y = asLongReal(b, right);
       LongRealOrder<D> order{d};
@@ -179,7 +182,15 @@ class Monitor {
     if (left.type == ExprType::Truth) return relation(n.op, d.equal(a, b, 1), d.ult(a, b, 1), d.ult(b, a, 1));
     const int w = std::max(left.width, right.width);
     const Bits x = number(a, left, w), y = number(b, right, w);
-    return relation(n.op, d.equal(x, y, w), d.slt(x, y, w), d.slt(y, x, w));
+    const bool isFirst = isUnsigned64(expr, left), isSecond = isUnsigned64(expr, right);
+    if (!isFirst && !isSecond) return relation(n.op, d.equal(x, y, w), d.slt(x, y, w), d.slt(y, x, w));
+    // A negative number is less than any without a sign.
+    const Bool isBelow = isFirst ? d.constant(false) : d.bit(x, w - 1),
+               isAbove = isSecond ? d.constant(false) : d.bit(y, w - 1);
+    const Bool haveSign = d.lor(isBelow, isAbove);
+    return relation(n.op, d.land(d.lnot(haveSign), d.equal(x, y, w)),
+                    d.lor(isBelow, d.land(d.lnot(haveSign), d.ult(x, y, w))),
+                    d.lor(isAbove, d.land(d.lnot(haveSign), d.ult(y, x, w))));
   }
   /// NaN makes every relation but "not equal" false.
   Bool relation(ExprOp op, Bool same, Bool less, Bool more) {

@@ -104,11 +104,15 @@ class Lexer {
     }
     Token t = token(isReal ? PropertyToken::Real : PropertyToken::Number, start);
     const std::string all(t.text);
-    t.value = isReal ? static_cast<std::int64_t>(std::bit_cast<std::uint32_t>(std::strtof(all.c_str(), nullptr)))
-                     : std::strtoll(all.c_str(), nullptr, 10);
-    if (isReal) t.longValue = std::bit_cast<std::int64_t>(std::strtod(all.c_str(), nullptr));
-    t.isTooLarge = !isReal && t.value > largest;
-    t.isHuge = !isReal && std::from_chars(all.data(), all.data() + all.size(), t.value).ec != std::errc();
+    if (isReal) {
+      t.value = static_cast<std::int64_t>(std::bit_cast<std::uint32_t>(std::strtof(all.c_str(), nullptr)));
+      t.longValue = std::bit_cast<std::int64_t>(std::strtod(all.c_str(), nullptr));
+      return t;
+    }
+    std::uint64_t number = 0;
+    t.isHuge = std::from_chars(all.data(), all.data() + all.size(), number).ec != std::errc();
+    t.isTooLarge = t.isHuge || number > static_cast<std::uint64_t>(largest);
+    t.value = static_cast<std::int64_t>(number);
     return t;
   }
 
@@ -133,7 +137,6 @@ class Lexer {
       t.kind = PropertyToken::Punctuation;
     t.value = static_cast<std::int64_t>(value);
     t.isTooLarge = value > static_cast<std::uint64_t>(largest);
-    t.isHuge = t.value < 0;
     t.isPattern = true;
     return t;
   }

@@ -15,11 +15,11 @@ enum class PropertyToken : std::uint8_t { Word, Number, Real, Duration, Punctuat
 struct Token {
   PropertyToken kind = PropertyToken::End;
   std::string_view text;
-  std::int64_t value = 0;  ///< Number: value; Real: IEEE single pattern; Duration: ms
+  std::int64_t value = 0;  ///< Number: value, above 2^63 - 1 its pattern; Real: IEEE single pattern; Duration: ms
   bool isPattern = false;  ///< Number written as 16# or 2#: bits, not an amount
   Span span{};
   bool isTooLarge = false;     ///< Number that 32 bits, signed or not, do not hold; Duration above longestDuration
-  bool isHuge = false;         ///< Number that 64 bits with a sign do not hold
+  bool isHuge = false;         ///< Number that 64 bits do not hold
   std::int64_t longValue = 0;  ///< Real: IEEE double pattern
 };
 

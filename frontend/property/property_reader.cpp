@@ -9,7 +9,7 @@
 #include "frontend/property/external_range.hpp"
 #include "frontend/property/goal_names.hpp"
 #include "frontend/property/property_lexer.hpp"
-#include "frontend/property/property_message.hpp"
+#include "frontend/property/property_mistake.hpp"
 #include "frontend/property/property_types.hpp"
 #include "frontend/property/unread_statement.hpp"
 #include "frontend/step7/name_lookup.hpp"
@@ -20,13 +20,7 @@
 namespace rungproof {
 namespace {
 
-/// A mistake in a statement; leaves the parser at once, becomes a finding.
-struct Mistake {
-  const char* rule;
-  Span span;
-  std::string message;
-  std::string help;
-};
+using Mistake = PropertyMistake;
 
 constexpr const char* syntaxRule = propertyMessages[0].id.data();
 constexpr const char* addressRule = propertyMessages[1].id.data();
@@ -339,6 +333,7 @@ class Parser {
       Nesting nesting(*this);
       const std::uint32_t arg = unary(e);
       needNumber(e, arg, at.span);
+      needSigns(e, {arg}, at.span);
       const ExprNode& n = e.nodes[arg];
       const bool isReal = n.type == ExprType::Real;
       return add(e, {.op = ExprOp::Negate,
@@ -355,13 +350,14 @@ class Parser {
       const bool isLong = target_ != nullptr && dialectOf(*target_).memory.numberBits > 32;
       if (isLong ? t.isHuge : t.isTooLarge)
         throw Mistake{syntaxRule, t.span, fmt::format("'{}' is larger than any number of the program", t.text),
-                      isLong ? "numbers have up to 64 bits, one of them for the sign" : "numbers have up to 32 bits"};
-      return add(e, {.op = ExprOp::Constant,
-                     .type = ExprType::Number,
-                     .width = signedWidth(t.value),
-                     .value = t.value,
-                     .operand = constant(t.value, t.isPattern ? ConstantForm::Hex : ConstantForm::Decimal),
-                     .span = t.span});
+                      isLong ? "numbers have up to 64 bits" : "numbers have up to 32 bits"};
+      return add(e,
+                 {.op = ExprOp::Constant,
+                  .type = ExprType::Number,
+                  .width = signedWidth(t.value),
+                  .value = t.value,
+                  .operand = constant(t.value, t.isPattern || t.value < 0 ? ConstantForm::Hex : ConstantForm::Decimal),
+                  .span = t.span});
     }
     if (t.kind == PropertyToken::Real)
       return add(e, {.op = ExprOp::Constant,
@@ -506,6 +502,8 @@ class Parser {
       needNumber(e, right, at);
       fitConstant(e, left, right, remarks_);
       fitConstant(e, right, left, remarks_);
+      if (e.nodes[left].type == ExprType::Real || e.nodes[right].type == ExprType::Real)
+        needSigns(e, {left, right}, at);
       asReals(e, left, right);
     }
     return add(e, {.op = op, .args = {left, right}, .span = at});
@@ -513,6 +511,7 @@ class Parser {
   std::uint32_t arithmetic(Expr& e, ExprOp op, std::uint32_t left, std::uint32_t right, Span at) {
     needNumber(e, left, at);
     needNumber(e, right, at);
+    needSigns(e, {left, right}, at);
     asReals(e, left, right);
     return add(e, arithmeticNode(e, op, left, right, at));
   }

@@ -98,7 +98,11 @@ void fitConstant(Expr& expr, std::uint32_t constant, std::uint32_t other, std::v
     remarks.push_back(fmt::format("beside a sum or product a pattern is a number: 16#{0:X} is {0}", number.value));
   if (address == nullptr || address->type != ExprType::Number) return;
   const int w = address->width;
-  if (w >= 64) return;
+  if (w >= 64) {  // beside a number with a sign a pattern has one too
+    const bool hasSign = address->operand.form != ConstantForm::Hex;
+    if (isPattern && hasSign) number.operand.form = ConstantForm::SignedDecimal;
+    return;
+  }
   const bool isSigned = w == 8 || w == 16 || w == 32;
   if (isPattern && isSigned && number.value >> w == 0) {
     if ((number.value >> (w - 1) & 1) != 0) number.value -= std::int64_t{1} << w;

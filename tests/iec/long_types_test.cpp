@@ -95,6 +95,38 @@ TEST(IecLong, PropertiesCompareThem) {
   EXPECT_EQ(verdictOf(text, "always x <= 0.5 and u = 0 and n - 5000000000 < 4"), "PROVED");
 }
 
+/// 2^63 and 2^64 - 1 are no negative numbers.
+TEST(IecLong, PropertiesCompareNumbersWithoutASign) {
+  const std::string text = iecProgram(
+      "VAR_INPUT u, v : ULINT; n : LINT; END_VAR VAR w : LWORD := 16#8000_0000_0000_0001; a : ULINT; END_VAR",
+      "a := MAX(u, 9223372036854775808);");
+  EXPECT_EQ(verdictOf(text, "always w = 16#8000_0000_0000_0001"), "PROVED");
+  EXPECT_EQ(verdictOf(text, "always w = 9223372036854775809 and w > 9223372036854775808"), "PROVED");
+  EXPECT_EQ(verdictOf(text, "never w = 1"), "PROVED");
+  EXPECT_EQ(verdictOf(text, "always a >= 9223372036854775808 and prev(a) >= 1 and a > 9223372036854775807"), "PROVED");
+  EXPECT_EQ(verdictOf(text, "always u >= 0"), "PROVED");
+  EXPECT_EQ(verdictOf(text, "always u <= 18446744073709551614"), "VIOLATED");  // 2^64 - 1
+  EXPECT_EQ(verdictOf(text, "always u <= v or v < u"), "PROVED");
+  EXPECT_EQ(verdictOf(text, "never u = n and n < 0"), "PROVED");
+  EXPECT_EQ(verdictOf(text, "always n < 0 implies n < u"), "PROVED");
+  EXPECT_EQ(verdictOf(text, "never u = n and n > 0"), "VIOLATED");
+  EXPECT_EQ(verdictOf(text, "always n < 18446744073709551615"), "PROVED");
+  // Beside a number with a sign a pattern has one too: 16#FFFF_FFFF_FFFF_FFFF is -1.
+  EXPECT_EQ(verdictOf(text, "never n = 16#FFFF_FFFF_FFFF_FFFF and n >= 0"), "PROVED");
+  EXPECT_EQ(verdictOf(text, "never n = 16#FFFF_FFFF_FFFF_FFFF"), "VIOLATED");
+}
+
+TEST(IecLong, OfNumbersWithoutASignNothingIsComputed) {
+  const std::string text = iecProgram("VAR_INPUT u : ULINT; r : LREAL; END_VAR VAR q : BOOL; END_VAR", "q := u > 3;");
+  for (const char* const property :
+       {"always u + 1 > 0", "never -u = 3", "always r < u", "always 2 * 18446744073709551615 > u"})
+    EXPECT_NE(verdictOf(text, property).find("without a sign can be compared with whole numbers, nothing else"),
+              std::string::npos)
+        << property;
+  EXPECT_NE(verdictOf(text, "never u = 18446744073709551616").find("is larger than any number of the program"),
+            std::string::npos);
+}
+
 TEST(IecLong, ResultsOfLongRealsAreAnyNumberInProofs) {  // what is not modelled proves nothing
   const std::string text = iecProgram("VAR_INPUT up : BOOL; END_VAR VAR x : LREAL := 1.0; b : BOOL; END_VAR",
                                       "IF up THEN x := x * 0.5; END_IF; b := x < 2.0;");
