@@ -1,12 +1,15 @@
 // A rung is the conjunction of its contacts, given to each of its coils; a block stands in a rung alone and is called
-// in every scan. Numbers at the pins of timers are milliseconds there.
+// in every scan. Numbers at the pins of timers are milliseconds there. Each rung is one network, drawn as it stands.
 #include "frontend/iec/iec_rungs.hpp"
 
 #include <array>
 #include <string_view>
 
+#include "frontend/graphical/drawn_circuit.hpp"
 #include "frontend/iec/iec_lowering.hpp"
+#include "frontend/iec/iec_pictures.hpp"
 #include "frontend/iec/iec_tree.hpp"
+#include "frontend/stl/stl_lexer.hpp"
 #include "frontend/xml/xml_shape.hpp"
 #include "frontend/xml/xml_text.hpp"
 
@@ -23,6 +26,26 @@ class RungReader {
   RungReader(PlcopenBodies& bodies, BlockSyntax& block) : bodies_(bodies), block_(block) {}
 
   void rung(const pugi::xml_node& node) {
+    const std::size_t first = made.size();
+    drawn_ = {};
+    drawn_.span = bodies_.placeOf(node);
+    drawn_.elements.push_back({.kind = DrawnKind::LeftRail, .id = "0", .span = drawn_.span});
+    results_.clear();
+    if (!statementsOf(node) || first == made.size()) return;
+    for (std::size_t i = first; i < made.size(); ++i) made[i].circuit = static_cast<int>(drawn_.span.offset) + 1;
+    Program unused;  // what the drawing could say has been said
+    DrawnSink sink(unused);
+    const auto isInstance = [](const DrawnElement& e) { return !isStandardFunction(foldedName(e.text)); };
+    made[first].drawn = pictureOf(DrawnCircuit(drawn_, sink, isInstance), results_, Form::Ladder, isInstance);
+  }
+
+  Statements made;
+
+ private:
+  struct Unwritable {};
+
+  /// False: something of the rung cannot be written.
+  bool statementsOf(const pugi::xml_node& node) {
     ExprPtr flow;
     std::size_t coils = 0;
     for (const pugi::xml_node& child : node.children()) coils += isElement(child, "coil") ? 1 : 0;
@@ -48,15 +71,23 @@ class RungReader {
         Statement& lost = made.emplace_back();
         lost.kind = StatementKind::Unread;
         lost.span = bodies_.placeOf(child);
-        return;
+        return false;
       }
     }
+    return true;
   }
 
-  Statements made;
-
- private:
-  struct Unwritable {};
+  /// The next element of the rung's drawing; contacts feed what stands behind them.
+  DrawnElement& draw(DrawnKind kind, Span span) {
+    DrawnElement element{.kind = kind, .id = std::to_string(drawn_.elements.size()), .span = span};
+    std::size_t before = drawn_.elements.size() - 1;
+    while (before > 0 && drawn_.elements[before].kind != DrawnKind::Contact) --before;
+    if (kind != DrawnKind::Block) element.inputs = {{.links = {{drawn_.elements[before].id, {}, span}}, .span = span}};
+    element.x = static_cast<double>(drawn_.elements.size());
+    drawn_.elements.push_back(std::move(element));
+    if (kind != DrawnKind::Contact) results_.push_back(static_cast<int>(drawn_.elements.size()) - 1);
+    return drawn_.elements.back();
+  }
 
   [[noreturn]] void refuse(const pugi::xml_node& node, std::string message) {
     bodies_.report(node, Syntax::IecNotModelled, std::move(message));
@@ -96,22 +127,30 @@ class RungReader {
     if (!kind.empty() && kind != "negated" && kind != "normal")
       refuse(node, fmt::format("a contact of kind {} is not modelled", excerpt(kind)));
     ExprPtr value = variableOf(node);
-    return isNegated(node) || kind == "negated" ? notOf(std::move(value)) : std::move(value);
+    DrawnElement& drawn = draw(DrawnKind::Contact, value->span);
+    drawn.text = node.attribute("variable").value();
+    drawn.negated = isNegated(node) || kind == "negated";
+    return drawn.negated ? notOf(std::move(value)) : std::move(value);
   }
 
   void coil(const pugi::xml_node& node, ExprPtr flow) {
     const Span span = bodies_.placeOf(node);
     const std::string kind = node.attribute("kind").value();
+    ExprPtr target = variableOf(node);
+    DrawnElement& drawn = draw(DrawnKind::Coil, target->span);
+    drawn.text = node.attribute("variable").value();
     if (kind == "set" || kind == "reset") {
+      drawn.storage = kind == "set" ? DrawnStorage::Set : DrawnStorage::Reset;
       Statements body;
-      body.push_back(assignmentOf(variableOf(node), literalOf(kind == "set" ? "TRUE" : "FALSE", span), span));
+      body.push_back(assignmentOf(std::move(target), literalOf(kind == "set" ? "TRUE" : "FALSE", span), span));
       made.push_back(ifOf(std::move(flow), std::move(body), span));
       return;
     }
     if (!kind.empty() && kind != "normal" && kind != "negated")
       refuse(node, fmt::format("a coil of kind {} is not modelled", excerpt(kind)));
-    if (isNegated(node) || kind == "negated") flow = notOf(std::move(flow));
-    made.push_back(assignmentOf(variableOf(node), std::move(flow), span));
+    drawn.negated = isNegated(node) || kind == "negated";
+    if (drawn.negated) flow = notOf(std::move(flow));
+    made.push_back(assignmentOf(std::move(target), std::move(flow), span));
   }
 
   /// The type that the block declares for a variable that is written alone, in capitals.
@@ -141,12 +180,18 @@ class RungReader {
     if (!isFunction && instance.empty()) refuse(node, "a block without an instance is not modelled");
     ExprPtr call = callOf({isFunction ? type : instance}, span);
     std::vector<std::pair<std::string, ExprPtr>> outputs;
+    DrawnElement& drawn = draw(DrawnKind::Block, span);
+    drawn.text = type;
+    drawn.instance = instance;
     for (const pugi::xml_node& pin : node.children()) {
       if (!isElement(pin, "variable")) continue;
       const std::string formal = foldedName(pin.attribute("formalParameter").value());
       ExprPtr actual = bodies_.expressionOf(pin);
       if (actual == nullptr) throw Unwritable{};
-      if (std::ranges::find(results, formal) != results.end()) {
+      const bool isOutput = std::ranges::find(results, formal) != results.end();
+      (isOutput ? drawn.outputs : drawn.inputs)
+          .push_back({.name = formal, .expression = std::string(trimmed(allText(pin))), .span = actual->span});
+      if (isOutput) {
         outputs.emplace_back(formal, std::move(actual));
         continue;
       }
@@ -182,6 +227,8 @@ class RungReader {
 
   PlcopenBodies& bodies_;
   BlockSyntax& block_;
+  DrawnNetwork drawn_;
+  std::vector<int> results_;  ///< elements of it that something is computed for
 };
 
 }  // namespace

@@ -54,6 +54,20 @@ TEST(IecRungs, ContactsInSeriesGoToTheCoils) {
   expectVerdict(xml, "s = q", "VIOLATED");          // it stays set
 }
 
+/// A rung is a network and is drawn as it stands: q by a and not b, and the same flow sets s.
+TEST(IecRungs, RungsAreDrawn) {
+  const std::string pins =
+      "<variable formalParameter=\"IN\">a</variable><variable formalParameter=\"PT\">t</variable>"
+      "<variable formalParameter=\"Q\">r</variable>";
+  const std::string xml =
+      rungs(rungOf(contactOf("a") + contactOf("b", "negated=\"negated\"") + coilOf("q") + coilOf("s", "kind=\"set\"")) +
+            rungOf("<block typeName=\"TON\" instanceName=\"d\">" + pins + "</block>"));
+  const IecOutput shown = runIec({"show", "--dialect", "iec"}, xml, "main.xml");
+  EXPECT_FALSE(shown.has("<contact")) << shown.text;
+  for (const char* const part : {"TON", "PT", "-| a |-"}) EXPECT_TRUE(shown.has(part)) << part << "\n" << shown.text;
+  EXPECT_FALSE(shown.has("Network 3")) << shown.text;
+}
+
 TEST(IecRungs, TheFlowOfARungIsComputedOnce) {  // a coil that clears its contact does not part its rung
   const std::string xml = rungs(rungOf(contactOf("a") + coilOf("s", "kind=\"set\"")) +
                                 rungOf(contactOf("s") + coilOf("q") + coilOf("s", "kind=\"reset\"") + coilOf("r")));
