@@ -41,6 +41,51 @@ void eachGroup(Visit visit) {
   visit(library::RegulationBlocks{});
 }
 
+/// The names that the texts of a program mention. Most programs use few blocks, and reading the others takes longer
+/// than reading such a program.
+class Mentions {
+ public:
+  explicit Mentions(const SourceSet& sources) {
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < sources.size(); ++i) size += sources.file(static_cast<std::uint32_t>(i)).text().size();
+    isLong_ = size > longText;
+    if (isLong_) return;
+    text_.reserve(size + sources.size());
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      for (const char c : sources.file(static_cast<std::uint32_t>(i)).text())
+        text_ += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+      text_ += ' ';
+    }
+  }
+
+  /// Also as a part of a longer name. Of long texts it is taken for granted.
+  bool has(std::string_view name) const { return isLong_ || text_.find(name) != std::string::npos; }
+  /// Blocks that charts and drawings use without naming them, those that others use, and those that are mentioned.
+  bool asksFor(const std::string& name) const {
+    static constexpr std::string_view unnamed[] = {"TON", "R_TRIG", "F_TRIG"};
+    if (name.starts_with("__") || std::ranges::find(unnamed, name) != std::end(unnamed)) return true;
+    if ((name == library::Integral::name || name == library::Derivative::name) && hasWord(library::Pid::name))
+      return true;
+    return hasWord(name);
+  }
+
+ private:
+  bool hasWord(std::string_view name) const {
+    if (isLong_) return true;
+    const auto isPart = [&](std::size_t at) {
+      return at < text_.size() && (text_[at] == '_' || std::isalnum(static_cast<unsigned char>(text_[at])) != 0);
+    };
+    for (std::size_t at = text_.find(name); at != std::string::npos; at = text_.find(name, at + 1)) {
+      if ((at == 0 || !isPart(at - 1)) && !isPart(at + name.size())) return true;
+    }
+    return false;
+  }
+
+  static constexpr std::size_t longText = 1U << 16U;
+  std::string text_;  ///< in capitals
+  bool isLong_ = false;
+};
+
 }  // namespace
 
 std::string libraryInput(const std::string& block, const std::string& folded) {
@@ -67,9 +112,10 @@ std::vector<std::string> libraryBlockNames() {
 }
 
 void addStandardBlocks(Program& program, ProjectSyntax& project) {
+  const Mentions mentions(*program.sources);
   std::string text;
-  eachGroup([&](auto group) { group.addTo(text); });
-  text += digits;
+  eachGroup([&](auto group) { group.addTo(text, [&](const std::string& name) { return mentions.asksFor(name); }); });
+  if (mentions.has("STRING")) text += digits;
   const std::uint32_t file = program.sources->add("blocks of IEC 61131-3", text);
   SyntaxSink sink(program, file);
   ProjectSyntax library;

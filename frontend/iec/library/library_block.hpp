@@ -34,18 +34,23 @@ concept ComesInWidths = requires {
 
 template <class... Blocks>
 struct Group {
-  /// Appends the declarations.
-  static void addTo(std::string& text) { (add<Blocks>(text), ...); }
+  /// Appends the declarations of the blocks of whose names `isWanted` is true.
+  template <class IsWanted>
+  static void addTo(std::string& text, const IsWanted& isWanted) {
+    (add<Blocks>(text, isWanted), ...);
+  }
   /// What the blocks are called, those that a program may declare.
   static void nameTo(std::vector<std::string>& names) { (name<Blocks>(names), ...); }
 
  private:
-  template <class Block>
-  static void add(std::string& text) {
+  template <class Block, class IsWanted>
+  static void add(std::string& text, const IsWanted& isWanted) {
     if constexpr (ComesInWidths<Block>) {
-      for (const Width& width : widths)
-        text += fmt::format(fmt::runtime(Block::text), width.suffix, width.type, width.greatest, width.least);
-    } else {
+      for (const Width& width : widths) {
+        if (isWanted(std::string(Block::name) + std::string(width.suffix)))
+          text += fmt::format(fmt::runtime(Block::text), width.suffix, width.type, width.greatest, width.least);
+      }
+    } else if (isWanted(std::string(Block::name))) {
       text += Block::text;
     }
   }
