@@ -170,18 +170,25 @@ Recorder::Bits Recorder::udiv(Bits a, Bits b, int w) { return word(CodeOp::Divid
 Recorder::Bits Recorder::urem(Bits a, Bits b, int w) { return word(CodeOp::RemainderUnsigned, w, a, b); }
 Recorder::Bits Recorder::sdiv(Bits a, Bits b, int w) { return word(CodeOp::DivideSigned, w, a, b); }
 Recorder::Bits Recorder::srem(Bits a, Bits b, int w) { return word(CodeOp::RemainderSigned, w, a, b); }
+/// Numbers of one bit, as expressions of IEC 61131-3 have them, are truth values.
 Recorder::Bits Recorder::band(Bits a, Bits b, int w) {
+  if (w == 1) return fromBool(land(bit(a, 0), bit(b, 0)), 1);
   if (known(b) == Concrete::mask(w)) return a;
   if (known(a) == Concrete::mask(w)) return b;
   if (known(a) == 0U || known(b) == 0U) return literal(0, w);
   return word(CodeOp::BitAnd, w, a, b);
 }
 Recorder::Bits Recorder::bor(Bits a, Bits b, int w) {
+  if (w == 1) return fromBool(lor(bit(a, 0), bit(b, 0)), 1);
   if (known(b) == 0U) return a;
   return known(a) == 0U ? b : word(CodeOp::BitOr, w, a, b);
 }
-Recorder::Bits Recorder::bxor(Bits a, Bits b, int w) { return word(CodeOp::BitXor, w, a, b); }
-Recorder::Bits Recorder::bnot(Bits a, int w) { return word(CodeOp::BitNot, w, a, {}); }
+Recorder::Bits Recorder::bxor(Bits a, Bits b, int w) {
+  return w == 1 ? fromBool(lxor(bit(a, 0), bit(b, 0)), 1) : word(CodeOp::BitXor, w, a, b);
+}
+Recorder::Bits Recorder::bnot(Bits a, int w) {
+  return w == 1 ? fromBool(lnot(bit(a, 0)), 1) : word(CodeOp::BitNot, w, a, {});
+}
 Recorder::Bits Recorder::shl(Bits a, Bits n, int w) { return known(n) == 0U ? a : word(CodeOp::ShiftLeft, w, a, n); }
 Recorder::Bits Recorder::lshr(Bits a, Bits n, int w) { return known(n) == 0U ? a : word(CodeOp::ShiftRight, w, a, n); }
 
@@ -218,6 +225,7 @@ std::optional<Recorder::Bool> Recorder::fits(Bits continued, Bits exact) {
 
 Recorder::Bool Recorder::equal(Bits a, Bits b, int w) {
   if (a.id == b.id) return constant(true);
+  if (w == 1) return lnot(lxor(bit(a, 0), bit(b, 0)));
   if (w == at(b.id).width) {
     if (const auto fitting = fits(a, b)) return *fitting;
   }

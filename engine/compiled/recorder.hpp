@@ -235,6 +235,7 @@ class Recorder {
 struct AccessCount {
   std::uint32_t bits = 0;
   std::uint32_t words = 0;
+  bool isSingle = true;  ///< no bit but the lowest
 };
 
 /// The memory as recorded code sees it: the last value of each place is known until somebody else may have written it.
@@ -285,7 +286,8 @@ class Recorder::Store {
   void forgetSlots(std::uint32_t first);
   void saveSlot(std::uint32_t slot, Bool value);
   bool isFixed(Area area, std::uint32_t bitOffset) const { return d_.isAlwaysOn && area == Area::SM && bitOffset == 0; }
-  void note(Area area, std::uint32_t byte, bool isBit);
+  void noteBit(Area area, std::uint32_t bitOffset);
+  void noteByte(Area area, std::uint32_t byte);
   bool isHere(Reg reg) const;
   Bits loadPlace(Area area, std::uint32_t bitOffset, int width);
 

@@ -74,9 +74,13 @@ std::optional<std::uint32_t> Recorder::Store::slotOf(Area area, std::uint32_t by
   return slot == 0 ? std::nullopt : std::optional(slot - 1);
 }
 
-void Recorder::Store::note(Area area, std::uint32_t byte, bool isBit) {
-  AccessCount& count = accesses_[static_cast<std::size_t>(area)][byte];
-  ++(isBit ? count.bits : count.words);
+void Recorder::Store::noteBit(Area area, std::uint32_t bitOffset) {
+  AccessCount& count = accesses_[static_cast<std::size_t>(area)][bitOffset / 8];
+  ++count.bits;
+  count.isSingle = count.isSingle && bitOffset % 8 == 0;
+}
+void Recorder::Store::noteByte(Area area, std::uint32_t byte) {
+  ++accesses_[static_cast<std::size_t>(area)][byte].words;
 }
 
 void Recorder::Store::forget() {
@@ -178,13 +182,13 @@ Recorder::Bits Recorder::Store::loadPlace(Area area, std::uint32_t bitOffset, in
   if (byte + static_cast<std::uint32_t>(count) > size(area)) return d_.cannotFollow(width);
   if (width == 1) {
     if (isFixed(area, bitOffset)) return d_.literal(1, 1);
-    note(area, byte, true);
+    noteBit(area, bitOffset);
     if (const auto slot = slotOf(area, byte)) return d_.fromBool(loadSlot(*slot + bitOffset % 8), 1);
     return d_.fromBool(d_.bit(loadWhole(area, byte, 1), static_cast<int>(bitOffset % 8)), 1);
   }
   bool hasSlots = false;
   for (int i = 0; i < count; ++i) {
-    note(area, byte + static_cast<std::uint32_t>(i), false);
+    noteByte(area, byte + static_cast<std::uint32_t>(i));
     hasSlots = hasSlots || slotOf(area, byte + static_cast<std::uint32_t>(i)).has_value();
   }
   if (!hasSlots) return loadWhole(area, byte, count);
@@ -214,14 +218,14 @@ void Recorder::Store::save(Area area, std::uint32_t bitOffset, int width, Bits v
     if (value.id == old.id) return;
   }
   if (width == 1) {
-    note(area, byte, true);
+    noteBit(area, bitOffset);
     const Bool on = d_.bit(value, 0);
     if (const auto slot = slotOf(area, byte)) return saveSlot(*slot + bitOffset % 8, on);
     return saveBit(area, byte, bitOffset % 8, on);
   }
   bool hasSlots = false;
   for (int i = 0; i < count; ++i) {
-    note(area, byte + static_cast<std::uint32_t>(i), false);
+    noteByte(area, byte + static_cast<std::uint32_t>(i));
     hasSlots = hasSlots || slotOf(area, byte + static_cast<std::uint32_t>(i)).has_value();
   }
   if (!hasSlots) return saveWhole(area, byte, count, value);

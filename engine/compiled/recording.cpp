@@ -159,7 +159,7 @@ constexpr std::uint32_t leastBits = 4;
 
 /// Bytes that are used bit by bit, more than otherwise. What a computed address reaches has no slots.
 std::vector<SlotByte> slotsFor(const Recording& survey, Extent extent) {
-  const std::uint32_t least = extent == Extent::WholeScan ? 1 : leastBits;  // or taken apart once for many scans
+  const bool isForManyScans = extent == Extent::WholeScan;
   std::vector<SlotByte> slots;
   for (std::size_t a = 0; a < areaCount; ++a) {
     std::vector<bool> isReached(survey.accesses[a].size(), false);
@@ -168,6 +168,8 @@ std::vector<SlotByte> slotsFor(const Recording& survey, Extent extent) {
     }
     for (std::uint32_t byte = 0; byte < survey.accesses[a].size(); ++byte) {
       const AccessCount& count = survey.accesses[a][byte];
+      const bool isSingle = count.isSingle && count.words == 0;  // sixteen are moved at once
+      const std::uint32_t least = isForManyScans || isSingle ? 1 : leastBits;
       if (count.bits > count.words && count.bits >= least && !isReached[byte])
         slots.push_back({static_cast<Area>(a), byte});
     }
