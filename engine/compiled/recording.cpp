@@ -168,7 +168,8 @@ std::vector<SlotByte> slotsFor(const Recording& survey, Extent extent) {
     }
     for (std::uint32_t byte = 0; byte < survey.accesses[a].size(); ++byte) {
       const AccessCount& count = survey.accesses[a][byte];
-      const bool isSingle = count.isSingle && count.words == 0;  // sixteen are moved at once
+      // Sixteen such bytes are moved at once. Local memory is cleared in rows, which slots would part.
+      const bool isSingle = count.isSingle && count.words == 0 && static_cast<Area>(a) != Area::L;
       const std::uint32_t least = isForManyScans || isSingle ? 1 : leastBits;
       if (count.bits > count.words && count.bits >= least && !isReached[byte])
         slots.push_back({static_cast<Area>(a), byte});
