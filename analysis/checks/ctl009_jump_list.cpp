@@ -26,6 +26,8 @@ void checkCtl009(const Facts& facts, FindingSink& sink) {
                               : fmt::format("the list of {} ends after {} {}, before its label", Facts::text(list),
                                             end - at - 1, end - at == 2 ? "entry" : "entries"));
       if (!isEmpty) finding.related.push_back({list.span, "the list"});
+      // Every value goes to the label. Of a list with a hole no text says where the values behind it go.
+      finding.refused = !isEmpty || end != flow.steps[at].partner;
       finding.help = "write one JU for each value from 0 on, nothing between them, and the label right behind the last";
     }
   });
@@ -49,6 +51,7 @@ extern constexpr Rule ctl009_jump_list = {
         "BEU;\nb: SET;\n= Q 0.1;\nEND_ORGANIZATION_BLOCK\n",
     .exampleCpu = "319-3",
     .dialects = dialect::S7300,
+    .refuses = true,
     .check = checkCtl009,
 };
 

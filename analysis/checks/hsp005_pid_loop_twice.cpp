@@ -42,6 +42,7 @@ extern constexpr Rule hsp005_pid_loop_twice = {
     .falsePositives = "two boxes of which only one runs per scan",
     .peers = "CP20 (nearest)",
     .dialects = dialect::S7200,
+    .refuses = true,
     .check = checkHsp005,
 };
 

@@ -42,6 +42,7 @@ extern constexpr Rule tim002_ton_and_tof_share = {
     .good = "Network 1\nLD I0.0\nTON T37, +10\nNetwork 2\nLD I0.1\nTOF T38, +20\nNetwork 3\nLD T37\nO T38\n= Q0.0\n",
     .peers = "Omron duplicate timers/counters",
     .dialects = dialect::S7200,
+    .refuses = true,
     .check = checkTim002,
 };
 

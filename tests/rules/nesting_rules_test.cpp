@@ -18,6 +18,7 @@ TEST(NestingRules, ParenthesesAreClosedWhereTheyWereOpened) {
        {"left by BEU", 1, ob1("A I 0.0;\nJC m;\nA(;\nA I 0.1;\nBEU;\nm: NOP 0;")},
        {"open on one way to the label only", 1, ob1("A I 0.0;\nJC m;\nA(;\nA I 0.1;\nm: A I 0.2;\n);\n= Q 0.0;")},
        {"X( is one too", 1, ob1("X(;\nA I 0.0;\n= Q 0.0;")},
+       {"left by BEC, with the rest behind it", 1, ob1("A(;\nA I 0.1;\nBEC;\nA I 0.2;\n);\n= Q 0.0;")},
        {"seven levels", 0, ob1(seven)},
        {"a pair", 0, ob1("A(;\nO I 0.0;\nO I 0.1;\n);\n= Q 0.0;")},
        {"pairs side by side", 0, ob1("A(;\nO I 0.0;\nO I 0.1;\n);\nA(;\nO I 0.2;\nON I 0.3;\n);\n= Q 0.0;")},
@@ -25,6 +26,28 @@ TEST(NestingRules, ParenthesesAreClosedWhereTheyWereOpened) {
        {"an assignment in it, as the compiler writes", 0, ob1("A(;\nA I 0.0;\n= M 0.0;\nA M 0.0;\n);\n= Q 0.0;")},
        {"a jump around a closed pair", 0, ob1("A I 0.0;\nJC m;\nA(;\nA I 0.1;\n);\n= Q 0.0;\nm: NOP 0;")},
        {"closed in the next network", 0, ob1("A(;\nA I 0.1;\nNETWORK\n);\n= Q 0.0;")}});
+}
+
+// Eight zones are general knowledge. They end with their block, so that BEC inside one leaves nothing open.
+TEST(NestingRules, ZonesOfTheRelayAreClosedInTheirBlock) {
+  const auto zones = [](int depth) {
+    std::string text = "MCRA;\nA I 0.0;\n";
+    for (int i = 0; i < depth; ++i) text += "MCR(;\nA I 0.1;\n= Q 0.0;\n";
+    for (int i = 0; i < depth; ++i) text += ")MCR;\n";
+    return ob1(text + "MCRD;");
+  };
+  expectFindings("NST001",
+                 {{"the ninth zone", 1, zones(9)},
+                  {"a zone that nothing closes", 1, ob1("MCRA;\nA I 0.0;\nMCR(;\nA I 0.1;\n= Q 0.0;\nMCRD;")},
+                  {"left by BEU", 1, ob1("A I 0.0;\nMCR(;\nBEU;")},
+                  {")MCR alone", 1, ob1("A I 0.0;\n= Q 0.0;\n)MCR;")},
+                  {"open on one way to the label only", 1, ob1("A I 0.0;\nMCR(;\nA I 0.1;\nJC m;\n)MCR;\nm: NOP 0;")},
+                  {"once more in every round", 1, ob1("L 3;\nm: T MW 0;\nA I 0.0;\nMCR(;\nL MW 0;\nLOOP m;\n)MCR;")},
+                  {"a pair of each that is open", 2, ob1("A I 0.0;\nMCR(;\nA(;\nA I 0.1;\n= Q 0.0;")},
+                  {"eight zones", 0, zones(8)},
+                  {"side by side", 0, ob1("A I 0.0;\nMCR(;\n)MCR;\nA I 0.1;\nMCR(;\n)MCR;")},
+                  {"BEC in a zone", 0, ob1("A I 0.0;\nMCR(;\nA I 0.1;\nBEC;\n)MCR;")},
+                  {"closed in the next network", 0, ob1("A I 0.0;\nMCR(;\nNETWORK\n)MCR;")}});
 }
 
 TEST(NestingRules, TheRloComesFromTheBlockItself) {
