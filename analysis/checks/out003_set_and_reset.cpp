@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <map>
 #include <span>
 
@@ -25,12 +27,16 @@ bool isInInterrupt(const EncodedScan& encoding, const Instruction& instruction) 
   });
 }
 
+bool isRowReset(const Instruction& reset) {
+  if (!isReset(roleOf(reset)) || reset.operands.size() < 2) return false;
+  return reset.operands[1].kind != OperandKind::Constant || reset.operands[1].value > 1;
+}
+
 /// A reset of several bits behind their coils switches them off in general; OUT005 recommends it.
 bool isSwitchOff(const EncodedScan& encoding, const BitWrite& a, const BitWrite& b) {
   const Instruction& reset = *b.instruction;
-  if (!isCoil(roleOf(*a.instruction)) || !isReset(roleOf(reset)) || reset.operands.size() < 2) return false;
-  const bool isRow = reset.operands[1].kind != OperandKind::Constant || reset.operands[1].value > 1;
-  return isRow && !isInInterrupt(encoding, *a.instruction) && !isInInterrupt(encoding, reset);
+  return isCoil(roleOf(*a.instruction)) && isRowReset(reset) && !isInInterrupt(encoding, *a.instruction) &&
+         !isInInterrupt(encoding, reset);
 }
 
 /// Whether a reset runs last: what it switches off stays off, whatever sets it. An interrupt comes anywhere.
@@ -58,6 +64,84 @@ void addConflict(Asking& asking, const BitWrite& a, const BitWrite& b, ConflictP
   bad = graph.lor({bad}, both).node;
 }
 
+/// What comes together at one bit, by the two instructions.
+using ConflictQuestions = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<RuleQuestion>>;
+
+/// Bits under one condition are one question. `first` is nullptr where it is one of several.
+void addQuestion(ConflictQuestions& conflicts, const Instruction* first, const Instruction* last, Node bad,
+                 bool resetWins, const Place& place) {
+  constexpr std::uint32_t several = std::numeric_limits<std::uint32_t>::max();
+  std::vector<RuleQuestion>& ofPair = conflicts[{first != nullptr ? first->id : several, last->id}];
+  auto same = std::ranges::find(ofPair, bad, &RuleQuestion::bad);
+  if (same == ofPair.end()) {
+    ofPair.push_back({.place = last, .bad = bad, .other = first, .row = {place.area}});
+    ofPair.back().isUsual = resetWins;
+    same = std::prev(ofPair.end());
+  }
+  same->row.bits.push_back(bitPosition(place.area, place.byte(), place.bit()));
+}
+
+/// Longer lists of writers are asked about once for each writer: against all in front of it together.
+constexpr std::size_t mostPaired = 12;
+
+/// Instructions that write to one bit in front of another one and are judged alike.
+struct EarlierWrites {
+  bool isCoil = false, isInterrupt = false;
+  std::array<Node, 2> wrote{};             ///< whether one has written 0, 1
+  std::array<const Instruction*, 2> by{};  ///< the first that may have
+  std::array<std::size_t, 2> writers{};    ///< how many may have
+};
+
+/// A list in which no latch writes a value that is not constant: then no instruction conflicts with itself.
+bool isOfConstants(const Graph& graph, std::span<const BitWrite* const> list) {
+  return std::ranges::all_of(list, [&](const BitWrite* write) {
+    return !isLatch(roleOf(*write->instruction)) || graph.truth({write->value}).has_value();
+  });
+}
+
+/// As addConflict for each pair of the list, in as many questions as it has writers.
+void addJoined(Asking& asking, std::span<const BitWrite* const> list, bool isStated, ConflictQuestions& conflicts) {
+  Graph& graph = asking.graph();
+  std::vector<EarlierWrites> earlier;
+  for (const bool isCoil : {false, true}) {
+    for (const bool isInterrupt : {false, true}) {
+      const Node none = graph.constant(false).node;
+      earlier.push_back({isCoil, isInterrupt, {none, none}, {}});
+    }
+  }
+  for (const BitWrite* write : list) {
+    const Instruction& last = *write->instruction;
+    const bool isCoil = !isLatch(roleOf(last)), isInterrupt = isInInterrupt(asking.encoding(), last);
+    const std::array<Graph::Bool, 2> writes = {graph.land({write->guard}, graph.lnot({write->value})),
+                                               graph.land({write->guard}, {write->value})};
+    for (const bool resetWins : {false, true}) {
+      Graph::Bool bad = graph.constant(false);
+      const Instruction* first = nullptr;
+      std::size_t writers = 0;
+      for (const EarlierWrites& one : earlier) {
+        const bool isSwitchOff = isRowReset(last) && one.isCoil && !one.isInterrupt && !isInterrupt;
+        const bool isLast = isReset(roleOf(last)) && !one.isInterrupt && !isInterrupt;
+        if ((isCoil && one.isCoil) || isSwitchOff || isLast != resetWins) continue;
+        for (const std::size_t value : {0U, 1U}) {
+          const Graph::Bool both = graph.land(writes[1 - value], {one.wrote[value]});
+          if (one.by[value] == nullptr || graph.truth(both) == false) continue;
+          bad = graph.lor(bad, both);
+          first = one.by[value];
+          writers += one.writers[value];
+        }
+      }
+      if (writers > 0 && graph.truth(bad) != false && !(resetWins && isStated))
+        addQuestion(conflicts, writers == 1 ? first : nullptr, &last, bad.node, resetWins, write->place);
+    }
+    EarlierWrites& own = earlier[(isCoil ? 2U : 0U) + (isInterrupt ? 1U : 0U)];
+    for (const std::size_t value : {0U, 1U}) {
+      if (graph.truth(writes[value]) == false) continue;
+      own.wrote[value] = graph.lor({own.wrote[value]}, writes[value]).node;
+      if (own.writers[value]++ == 0) own.by[value] = &last;
+    }
+  }
+}
+
 std::string conflictMessage(const BitRow& row, std::string_view last) {
   return fmt::format("{} {} set and reset in one scan; {} last{} wins", row.text(), row.bits.size() == 1 ? "is" : "are",
                      last.empty() ? std::string("what comes") : fmt::format("{} comes", last),
@@ -65,33 +149,28 @@ std::string conflictMessage(const BitRow& row, std::string_view last) {
 }
 
 /// Two instructions that write different constants to one bit in one scan, or a latch against a coil that writes the
-/// opposite (001:2821). Bits under one condition are one question.
+/// opposite (001:2821).
 void askOut003(Asking& asking) {
   std::map<Place, std::vector<const BitWrite*>> writes;
   for (const BitWrite& write : asking.encoding().bitWrites()) {
     if (write.instruction != nullptr && isLatchOrCoil(*write.instruction)) writes[write.place].push_back(&write);
   }
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<RuleQuestion>> conflicts;  // by the two instructions
+  ConflictQuestions conflicts;
   for (const auto& [place, list] : writes) {
     const auto isByLatch = [](const BitWrite* write) { return isLatch(roleOf(*write->instruction)); };
     if (std::ranges::none_of(list, isByLatch)) continue;  // thousands of coils on one bit are as many pairs squared
+    const bool isStated = isStatedResetDominant(asking.properties().resetDominant, place);
+    if (list.size() > mostPaired && isOfConstants(asking.graph(), list)) {
+      addJoined(asking, list, isStated, conflicts);
+      continue;
+    }
     ConflictPairs pairs;
     for (std::size_t i = 0; i < list.size(); ++i) {
       for (std::size_t k = i + 1; k < list.size(); ++k) addConflict(asking, *list[i], *list[k], pairs);
     }
-    const std::uint32_t bit = bitPosition(place.area, place.byte(), place.bit());
-    const bool isStated = isStatedResetDominant(asking.properties().resetDominant, place);
     for (const auto& [pair, bad] : pairs) {
       const bool resetWins = isResetLast(asking.encoding(), *pair.first, *pair.second);
-      if (resetWins && isStated) continue;
-      std::vector<RuleQuestion>& ofPair = conflicts[{pair.first->id, pair.second->id}];
-      auto same = std::ranges::find(ofPair, bad, &RuleQuestion::bad);
-      if (same == ofPair.end()) {
-        ofPair.push_back({.place = pair.second, .bad = bad, .other = pair.first, .row = {place.area}});
-        ofPair.back().isUsual = resetWins;
-        same = std::prev(ofPair.end());
-      }
-      same->row.bits.push_back(bit);
+      if (!(resetWins && isStated)) addQuestion(conflicts, pair.first, pair.second, bad, resetWins, place);
     }
   }
   for (auto& [pair, ofPair] : conflicts) {

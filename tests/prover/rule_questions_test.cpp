@@ -269,6 +269,39 @@ TEST(Conflict, ResetDominantCanBeStated) {
   EXPECT_EQ(severities(reset + set, "//@ reset dominant Q0.0, Q0.1\n"), Found{"warning Q0.0"});
 }
 
+/// `count` sets and as many resets of a bit, each while IB0 is another number: never two in one scan.
+std::string apartWriters(int count) {
+  std::string text;
+  for (int i = 0; i < 2 * count; ++i)
+    text += fmt::format("Network {}\nLDB= IB0, {}\n{} Q0.0, 1\n", i + 1, i, i < count ? "S" : "R");
+  return text;
+}
+
+/// A bit with many writers is asked about once for each of them, not for each pair: the answers are the same.
+TEST(Conflict, ManyWritersOfOneBit) {
+  const std::string reset = "Network 90\nLDB= IB0, 3\nR Q0.0, 1\n", set = "Network 91\nLDB= IB0, 45\nS Q0.0, 1\n";
+  EXPECT_EQ(severities(apartWriters(40)), Found());
+  EXPECT_EQ(severities(apartWriters(40) + reset), Found{"note Q0.0"});
+  EXPECT_EQ(severities(apartWriters(40) + set), Found{"warning Q0.0"});
+  EXPECT_EQ(severities(apartWriters(40) + reset + set), (Found{"note Q0.0", "warning Q0.0"}));
+  EXPECT_EQ(severities(apartWriters(40) + reset, "//@ reset dominant Q0.0\n"), Found());
+  EXPECT_EQ(severities(apartWriters(40) + set, "//@ reset dominant Q0.0\n"), Found{"warning Q0.0"});
+  // A reset of several bits switches a coil off in general; the sets in front of it are still asked about.
+  const std::string coil = "Network 92\nLDB= IB0, 100\n= Q1.0\n", row = "Network 93\nLDB= IB0, 100\nR Q1.0, 2\n";
+  std::string others;
+  for (int i = 0; i < 20; ++i) others += fmt::format("Network {}\nLDB= IB0, {}\nR Q1.0, 1\n", 100 + i, i);
+  EXPECT_EQ(severities(coil + row + "Network 94\nLDB= IB0, 101\nR Q1.0, 1\n"), Found());
+  EXPECT_EQ(severities(coil + row + others), Found());
+  EXPECT_EQ(severities("Network 95\nLDB= IB0, 100\nS Q1.0, 1\n" + row + others), Found{"note Q1.0"});
+  ProgramInput input = inputOf("", apartWriters(200), "");
+  ProverOptions options = usualOptions();
+  options.checks.builtin = true;
+  std::size_t asked = 0;
+  for (const ProofResult& result : prove(input.program, input.properties, options).results)
+    asked += result.builtin && result.builtin->rule->id == "OUT003" ? 1 : 0;
+  EXPECT_LE(asked, 800U) << "one or two for each of 400 writers, not for each of 40,000 pairs";
+}
+
 TEST(Conflict, ASwitchOffBehindTheCoilsIsMeant) {
   const std::string coils = "Network 1\nLD I0.0\n= Q0.1\nNetwork 2\nLD I0.1\n= Q0.2\n",
                     off = "Network 3\nLDN I1.0\nR Q0.0, 8\n";
