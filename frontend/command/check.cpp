@@ -2,6 +2,9 @@
 // ladder. Contract: the networks of the JSON report.
 #include <fmt/format.h>
 
+#include <map>
+#include <unordered_map>
+
 #include "analysis/drawing/editor_verdict.hpp"
 #include "analysis/unread/hidden_blocks.hpp"
 #include "frontend/cli/cli.hpp"
@@ -42,14 +45,18 @@ struct Checked {
   bool isStl = false;
   bool isGuessed = false;  ///< the language was taken from the program
 
+  std::vector<std::string> names{};  ///< by block; one without a head has the name of its file
+
   const Pou& pouOf(const NetworkVerdict& verdict) const { return program.pous[verdict.place.block]; }
-  /// A block without a head has the name of its file.
-  std::string nameOf(const NetworkVerdict& verdict) const {
-    const Pou& pou = pouOf(verdict);
-    const SourceFile& file = program.sources->file(pou.span.file);
-    const bool isHeadless = pou.kind == PouKind::Main && pou.name == "MAIN" && !program.olderDialect &&
-                            !stlLikeness(file.text()).hasHeading && pou.networks.front().form == Form::Stl;
-    return isHeadless ? fileBlock(file.name()).name : pou.name;
+  const std::string& nameOf(const NetworkVerdict& verdict) const { return names[verdict.place.block]; }
+  void nameBlocks() {
+    for (const Pou& pou : program.pous) {
+      const SourceFile& file = program.sources->file(pou.span.file);
+      const bool isHeadless = pou.kind == PouKind::Main && pou.name == "MAIN" && !program.olderDialect &&
+                              !pou.networks.empty() && pou.networks.front().form == Form::Stl &&
+                              !stlLikeness(file.text()).hasHeading;
+      names.push_back(isHeadless ? fileBlock(file.name()).name : pou.name);
+    }
   }
   int numberOf(const NetworkVerdict& verdict) const { return pouOf(verdict).networks[verdict.place.network].number; }
   std::string placeOf(Span span) const {
@@ -60,10 +67,12 @@ struct Checked {
   std::vector<BlockVerdict> blocks() const {
     std::vector<BlockVerdict> result;
     if (program.declarations == nullptr) return result;
+    std::unordered_map<std::string, std::size_t> byName;
     const auto refuse = [&](const std::string& name, const std::string& reason) {
-      auto found = std::ranges::find(result, name, &BlockVerdict::name);
-      if (found == result.end()) found = result.insert(result.end(), {name, true, ""});
-      if (found->isValid && !reason.empty()) *found = {name, false, reason};
+      const auto [found, isNew] = byName.try_emplace(name, result.size());
+      if (isNew) result.push_back({name, true, ""});
+      BlockVerdict& block = result[found->second];
+      if (block.isValid && !reason.empty()) block = {name, false, reason};
     };
     for (const Pou& pou : program.pous) {
       if (!pou.isBuiltIn) refuse(pou.name, "");
@@ -80,26 +89,36 @@ struct Checked {
 
 /// What the editor of STEP 7 refuses makes its network invalid, or its block.
 void takeSourceFaults(Checked& check) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> byPlace;  // blocks by file and where they begin
+  for (std::uint32_t block = 0; block < check.program.pous.size(); ++block)
+    byPlace.try_emplace({check.program.pous[block].span.file, check.program.pous[block].span.offset}, block);
+  std::map<std::pair<std::uint32_t, int>, NetworkVerdict*> byNumber;
+  for (NetworkVerdict& verdict : check.verdicts)
+    byNumber.try_emplace({verdict.place.block, check.numberOf(verdict)}, &verdict);
+  const auto blockAt = [&](Span span) -> std::optional<std::uint32_t> {
+    const auto behind = byPlace.upper_bound({span.file, span.offset});
+    if (behind == byPlace.begin()) return std::nullopt;
+    const std::uint32_t block = std::prev(behind)->second;
+    return span.beginsIn(check.program.pous[block].span) ? std::optional(block) : std::nullopt;
+  };
   for (const s7300::SourceFault& fault : check.program.declarations->sourceFaults) {
     if (fault.network == 0) {
       check.heads.push_back(fault);
-      for (const Pou& pou : check.program.pous) {
-        if (fault.span.beginsIn(pou.span)) check.heads.back().block = pou.name;
-      }
+      if (const auto block = blockAt(fault.span)) check.heads.back().block = check.program.pous[*block].name;
       continue;
     }
-    const auto verdict = std::ranges::find_if(check.verdicts, [&](const NetworkVerdict& each) {
-      return fault.span.beginsIn(check.pouOf(each).span) && check.numberOf(each) == fault.network;
-    });
-    if (verdict == check.verdicts.end() || !verdict->reason.empty()) continue;
-    verdict->reason = fault.reason;
-    verdict->span = fault.span;
+    const auto block = blockAt(fault.span);
+    const auto found = block ? byNumber.find({*block, fault.network}) : byNumber.end();
+    if (found == byNumber.end() || !found->second->reason.empty()) continue;
+    found->second->reason = fault.reason;
+    found->second->span = fault.span;
   }
 }
 
 Checked checked(const Context& context, const CheckArguments& arguments, const std::vector<std::string>& files) {
   Checked result;
   result.program = readInput(context, files).program;
+  result.nameBlocks();
   // The rule of one rung a network is an editor's of the S7-200 SMART.
   const bool isOtherEditor = formOf(result.program.target) != StatementForm::Rungs;
   result.isGuessed = arguments.language.empty() && !isOtherEditor;
