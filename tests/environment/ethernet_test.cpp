@@ -10,19 +10,20 @@ namespace {
 
 constexpr Target ethernetCpu{s7200Cpu("ST40"), Edition::Smart28};
 
-ProgramInput ethernetInput(const std::string& properties, const std::string& networks) {
+ProgramInput ethernetInput(const std::string& properties, const std::string& networks, Target target) {
   ProgramInput input;
   input.program = readText(
       "test.awl", "ORGANIZATION_BLOCK MAIN:OB1\n" + properties + "BEGIN\n" + networks + "END_ORGANIZATION_BLOCK\n",
-      {.target = ethernetCpu});
+      {.target = target});
   input.properties = readProperties(input.program, {}, lookupIn(input.program));
   return input;
 }
 
 /// The verdicts by name, of properties that are one line each.
 std::map<std::string, Outcome> requestOutcomes(const std::string& properties, const std::string& networks,
-                                               const char* again = nullptr, double timeout = 20) {
-  const ProgramInput input = ethernetInput(properties, networks);
+                                               const char* again = nullptr, double timeout = 20,
+                                               Target target = ethernetCpu) {
+  const ProgramInput input = ethernetInput(properties, networks, target);
   ProverOptions options = usualOptions(timeout);
   if (again != nullptr) {
     EXPECT_TRUE(options.choices.set("network-again", again));
@@ -75,6 +76,60 @@ TEST(EthernetRequest, TheStatusFollowsTheRequest) {
     // Not where a request for a table that is active is queued: the second one ends later.
     const std::string stays = "//@ prove stays: prev(V780.7) and not rises(I0.1) implies V780.7\n";
     EXPECT_EQ(requestOutcomes(stays, requestOf(request, 3), "ignored").at("stays"), Outcome::Proved) << request;
+  }
+}
+
+// A request for a table that is active. Ignored: one answer for one acceptance, so that D, once set, stays until the
+// next edge of the input. Queued: the second answer comes later, without D where it tells an error, and nothing asks in
+// that scan. The same of all four instructions: no manual says that one of them is another.
+TEST(NetworkAgain, TheSecondOfTwoRequestsForOneTableEndsByItself) {
+  const std::string station =
+      "Network 1\nLD SM0.1\nMOVB 2, SMB30\nMOVB 3, VB786\nNetwork 2\nLD I0.1\nEU\n";  // PPI master, 3 bytes
+  struct Case {
+    Target target;
+    std::string networks;
+  };
+  const std::vector<Case> cases = {{ethernetCpu, requestOf("GET VB780", 3)},
+                                   {ethernetCpu, requestOf("PUT VB780", 3)},
+                                   {Target{}, station + "NETR VB780, 0\n"},
+                                   {Target{}, station + "NETW VB780, 0\n"}};
+  for (const Case& each : cases) {
+    const std::string question =
+        "//@ reach later: prev(V780.7) and not V780.7 and not rises(I0.1)\n//@ prove unasked: VB780 <> 0 implies "
+        "once(I0.1)\n";
+    const auto ignored = requestOutcomes(question, each.networks, "ignored", 20, each.target);
+    const auto queued = requestOutcomes(question, each.networks, "queued", 20, each.target);
+    EXPECT_EQ(ignored.at("later"), Outcome::Unreachable) << each.networks;
+    EXPECT_EQ(queued.at("later"), Outcome::Reachable) << each.networks;
+    EXPECT_EQ(ignored.at("unasked"), Outcome::Proved) << each.networks;
+    EXPECT_EQ(queued.at("unasked"), Outcome::Proved) << each.networks;
+  }
+}
+
+// Queued, requests for one table fill the queue; ignored, one table takes one entry however often it asks. Codes of a
+// full queue: 2 of GET and PUT, 4 of NETR and NETW (001:3052-3065).
+TEST(NetworkAgain, QueuedRequestsForOneTableFillTheQueue) {
+  const auto statusAfter = [](const std::string& request, const std::string& setUp, int times, const char* again,
+                              Target target) {
+    std::string lines = "LD SM0.1\n" + setUp + "LD SM0.0\n";
+    for (int i = 0; i < times; ++i) lines += request + "\n";
+    Choices choices;
+    EXPECT_TRUE(choices.set("network-again", again));
+    Rig rig(lines, {.choices = choices}, target);
+    rig.scans(1);
+    return std::pair(rig.get("VB780"), rig.simulator->store().get(Reg::NetActive, 0));
+  };
+  using Status = std::pair<std::int64_t, std::uint64_t>;
+  const std::string own = "MOVB 3, VB791\nMOVD &VB200, VD792\n", master = "MOVB 2, SMB30\nMOVB 3, VB786\n";
+  for (const char* request : {"GET VB780", "PUT VB780"}) {
+    EXPECT_EQ(statusAfter(request, own, 16, "queued", ethernetCpu), Status(0x40, 16)) << request;
+    EXPECT_EQ(statusAfter(request, own, 17, "queued", ethernetCpu), Status(0x22, 16)) << request;
+    EXPECT_EQ(statusAfter(request, own, 17, "ignored", ethernetCpu), Status(0x40, 1)) << request;
+  }
+  for (const char* request : {"NETR VB780, 0", "NETW VB780, 0"}) {
+    EXPECT_EQ(statusAfter(request, master, 8, "queued", Target{}), Status(0x40, 8)) << request;
+    EXPECT_EQ(statusAfter(request, master, 9, "queued", Target{}), Status(0x24, 8)) << request;
+    EXPECT_EQ(statusAfter(request, master, 9, "ignored", Target{}), Status(0x40, 1)) << request;
   }
 }
 
