@@ -29,7 +29,7 @@ class RungReader {
     const std::size_t first = made.size();
     drawn_ = {};
     drawn_.span = bodies_.placeOf(node);
-    drawn_.elements.push_back({.kind = DrawnKind::LeftRail, .id = "0", .span = drawn_.span});
+    drawn_.elements.push_back(elementOf(DrawnKind::LeftRail, drawn_.span));
     results_.clear();
     if (!statementsOf(node) || first == made.size()) return;
     for (std::size_t i = first; i < made.size(); ++i) made[i].circuit = static_cast<int>(drawn_.span.offset) + 1;
@@ -77,13 +77,30 @@ class RungReader {
     return true;
   }
 
+  DrawnElement elementOf(DrawnKind kind, Span span) const {
+    DrawnElement made;
+    made.kind = kind;
+    made.id = std::to_string(drawn_.elements.size());
+    made.x = static_cast<double>(drawn_.elements.size());
+    made.span = span;
+    return made;
+  }
+  static DrawnPin pinOf(std::string name, std::string expression, Span span) {
+    DrawnPin made;
+    made.name = std::move(name);
+    made.expression = std::move(expression);
+    made.span = span;
+    return made;
+  }
   /// The next element of the rung's drawing; contacts feed what stands behind them.
   DrawnElement& draw(DrawnKind kind, Span span) {
-    DrawnElement element{.kind = kind, .id = std::to_string(drawn_.elements.size()), .span = span};
+    DrawnElement element = elementOf(kind, span);
     std::size_t before = drawn_.elements.size() - 1;
     while (before > 0 && drawn_.elements[before].kind != DrawnKind::Contact) --before;
-    if (kind != DrawnKind::Block) element.inputs = {{.links = {{drawn_.elements[before].id, {}, span}}, .span = span}};
-    element.x = static_cast<double>(drawn_.elements.size());
+    if (kind != DrawnKind::Block) {
+      element.inputs.push_back(pinOf({}, {}, span));
+      element.inputs[0].links.push_back({drawn_.elements[before].id, {}, span});
+    }
     drawn_.elements.push_back(std::move(element));
     if (kind != DrawnKind::Contact) results_.push_back(static_cast<int>(drawn_.elements.size()) - 1);
     return drawn_.elements.back();
@@ -190,7 +207,7 @@ class RungReader {
       if (actual == nullptr) throw Unwritable{};
       const bool isOutput = std::ranges::find(results, formal) != results.end();
       (isOutput ? drawn.outputs : drawn.inputs)
-          .push_back({.name = formal, .expression = std::string(trimmed(allText(pin))), .span = actual->span});
+          .push_back(pinOf(formal, std::string(trimmed(allText(pin))), actual->span));
       if (isOutput) {
         outputs.emplace_back(formal, std::move(actual));
         continue;

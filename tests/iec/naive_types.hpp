@@ -11,7 +11,8 @@
 
 namespace rungproof::iec_types {
 
-using Whole = __int128;
+__extension__ typedef __int128 Whole;
+__extension__ typedef unsigned __int128 Pattern;
 
 /// I whole numbers, B bit strings, T durations, C dates and times of day; they differ in their operators alone.
 struct Kind {
@@ -29,15 +30,15 @@ inline constexpr Kind kinds[] = {{"SINT", 8, true, 'I'},    {"INT", 16, true, 'I
 inline constexpr const Kind &usintKind = kinds[4], &intKind = kinds[1], &dintKind = kinds[2], &timeKind = kinds[12];
 
 inline Whole cut(Whole value, const Kind& kind) {
-  const auto size = static_cast<Whole>(static_cast<unsigned __int128>(1) << kind.bits);
+  const auto size = static_cast<Whole>(static_cast<Pattern>(1) << kind.bits);
   Whole rest = value % size;
   if (rest < 0) rest += size;
   return kind.isSigned && rest >= size / 2 ? rest - size : rest;
 }
 /// The low bits of a product, which may have more than 127.
 inline Whole product(Whole a, Whole b, const Kind& kind) {
-  const unsigned __int128 low = static_cast<unsigned __int128>(a) * static_cast<unsigned __int128>(b);
-  return cut(static_cast<Whole>(low & ((static_cast<unsigned __int128>(1) << kind.bits) - 1)), kind);
+  const Pattern low = static_cast<Pattern>(a) * static_cast<Pattern>(b);
+  return cut(static_cast<Whole>(low & ((static_cast<Pattern>(1) << kind.bits) - 1)), kind);
 }
 /// Halves to the even number; what does not fit is the nearest that does.
 inline Whole nearest(double value, const Kind& kind) {
