@@ -354,7 +354,7 @@ class Parser {
       return add(e,
                  {.op = ExprOp::Constant,
                   .type = ExprType::Number,
-                  .width = signedWidth(t.value),
+                  .width = t.value < 0 ? std::uint8_t{64} : signedWidth(t.value),
                   .value = t.value,
                   .operand = constant(t.value, t.isPattern || t.value < 0 ? ConstantForm::Hex : ConstantForm::Decimal),
                   .span = t.span});
