@@ -32,6 +32,15 @@ TEST(SclCalls, BlocksOfTheCpuByTheirNames) {
         << call;
 }
 
+// LEN is FC 21 of the library: 'abc' has three characters.
+TEST(SclCalls, LengthOfAText) {
+  const std::string program =
+      "FUNCTION_BLOCK FB 1\nVAR\n s : STRING[10] := 'abc';\nEND_VAR\nBEGIN\n MW20 := LEN(#s);\nEND_FUNCTION_BLOCK\n"
+      "DATA_BLOCK DB 1\nFB 1\nBEGIN\nEND_DATA_BLOCK\n" +
+      mainOf("FB1.DB1();");
+  EXPECT_EQ(lastRow(program, "MW20"), "1,3");
+}
+
 TEST(SclCalls, ValueNamedAfterTheFunction) {
   const std::string scale =
       "FUNCTION \"Scale\" : REAL\nVAR_INPUT\n x : INT;\nEND_VAR\nBEGIN\n #Scale := #x * 1.5;\nEND_FUNCTION\n";
