@@ -115,7 +115,9 @@ TEST(NetworkAgain, QueuedRequestsForOneTableFillTheQueue) {
     for (int i = 0; i < times; ++i) lines += request + "\n";
     Choices choices;
     EXPECT_TRUE(choices.set("network-again", again));
-    Rig rig(lines, {.choices = choices}, target);
+    SimulatorOptions options;
+    options.choices = choices;
+    Rig rig(lines, options, target);
     rig.scans(1);
     return std::pair(rig.get("VB780"), rig.simulator->store().get(Reg::NetActive, 0));
   };
