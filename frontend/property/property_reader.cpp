@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "analysis/unsigned_number.hpp"
 #include "frontend/property/external_range.hpp"
 #include "frontend/property/goal_names.hpp"
 #include "frontend/property/property_lexer.hpp"
@@ -351,13 +352,14 @@ class Parser {
       if (isLong ? t.isHuge : t.isTooLarge)
         throw Mistake{syntaxRule, t.span, fmt::format("'{}' is larger than any number of the program", t.text),
                       isLong ? "numbers have up to 64 bits" : "numbers have up to 32 bits"};
-      return add(e,
-                 {.op = ExprOp::Constant,
-                  .type = ExprType::Number,
-                  .width = t.value < 0 ? std::uint8_t{64} : signedWidth(t.value),
-                  .value = t.value,
-                  .operand = constant(t.value, t.isPattern || t.value < 0 ? ConstantForm::Hex : ConstantForm::Decimal),
-                  .span = t.span});
+      return add(e, {.op = ExprOp::Constant,
+                     .type = ExprType::Number,
+                     .width = t.value < 0 ? std::uint8_t{64} : signedWidth(t.value),
+                     .value = t.value,
+                     .operand = constant(t.value, t.isPattern   ? ConstantForm::Hex
+                                                  : t.value < 0 ? amountForm
+                                                                : ConstantForm::Decimal),
+                     .span = t.span});
     }
     if (t.kind == PropertyToken::Real)
       return add(e, {.op = ExprOp::Constant,
