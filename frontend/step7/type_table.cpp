@@ -23,6 +23,16 @@ constexpr std::uint64_t longestStructure = 65535;
 /// Types that stand in each other; STEP 7 takes 8 levels.
 constexpr std::size_t deepestTypes = 100;
 
+/// Bits of a value, without what fills an array up to an even number of bytes.
+std::uint64_t bitsOf(const Type& type) {
+  if (type.kind == TypeKind::Bool) return 1;
+  const bool isRow = type.kind == TypeKind::Array && type.element != nullptr && type.bounds.size() == 1;
+  if (!isRow) return s7300::sizeOf(type) * 8;
+  const std::uint64_t each =
+      s7300::startsEven(*type.element) ? s7300::sizeOf(*type.element) * 8 : bitsOf(*type.element);
+  return type.bounds[0].count() * each;
+}
+
 bool isAmongSections(Section section, std::initializer_list<Section> sections) {
   return std::ranges::find(sections, section) != sections.end();
 }
@@ -110,10 +120,10 @@ bool TypeTable::isView(const DeclarationSyntax& declaration, const Field& view, 
     if (!hasPlaces || isHandedOn || isNumberType(seen->type.kind))
       return fmt::format("{}: a view of a parameter that its caller holds is not covered", name);
     if (!declaration.initial.empty()) return fmt::format("{}: a view has no start value", name);
-    const auto bits = [](const Type& type) { return type.kind == TypeKind::Bool ? 1 : s7300::sizeOf(type) * 8; };
     const bool isKnown = seen->type.kind != TypeKind::Unknown && view.type.kind != TypeKind::Unknown;
-    if (isKnown && bits(view.type) > bits(seen->type))
-      return fmt::format("{} has {} bits, more than {} with {}", name, bits(view.type), seen->name, bits(seen->type));
+    const std::uint64_t bits = bitsOf(view.type), most = bitsOf(seen->type);
+    if (isKnown && bits > most)
+      return fmt::format("{} has {} bits, more than {} with {}", name, bits, seen->name, most);
     return {};
   }();
   if (fault.empty()) return true;

@@ -1,6 +1,6 @@
 // Each reader and each command over long inputs: an answer or a refusal, no signal, and at most 2 GB of address space.
 // Nothing looks at a clock but one generous limit of processor time, which only a program exceeds that does not end.
-// The ordinary form takes 20,000 elements and one command for each program, another one for the next;
+// The ordinary form takes 5,000 elements and one command for each program, another one for the next;
 // RUNGPROOF_LARGE=all takes 100,000 and all commands.
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace rungproof::test {
 namespace {
 
 bool isWholeMatrix() { return std::getenv("RUNGPROOF_LARGE") != nullptr; }
-std::size_t elementCount() { return isWholeMatrix() ? 100'000 : 20'000; }
+std::size_t elementCount() { return isWholeMatrix() ? 100'000 : 5'000; }
 constexpr double hangLimit = 120;  ///< seconds of processor time
 constexpr std::uint64_t addressSpace = std::uint64_t{2} << 30;
 

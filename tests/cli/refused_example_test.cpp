@@ -128,7 +128,7 @@ TEST(RefusedNesting, LevelsThatDoNotPairAreExecutedByNoCommand) {
     const ProgramRun both = run({"equiv", file(body), file(body)});
     EXPECT_EQ(both.exit, 2) << body << both.out << both.err;
     const std::string properties = folder.file("p.prop", "prove one: Q0.0 implies I0.0\n");
-    const ProgramRun proof = run({"prove", "--props", properties, "--format", "text", file(body)});
+    const ProgramRun proof = run({"prove", "--props", properties, file(body)});
     EXPECT_EQ(proof.exit, 2) << body;
     EXPECT_TRUE(proof.says("NOT COVERED")) << body << proof.out << proof.err;
   }

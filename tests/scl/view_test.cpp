@@ -23,6 +23,13 @@ TEST(SclViews, BitsOfAWord) {
   EXPECT_EQ(lastRow(program, "M20.0,M20.1,M20.2,MW22"), "1,1,0,1,385");
 }
 
+// Eight bits lie over a byte, although an array takes an even number of bytes where it stands by itself.
+TEST(SclViews, BitsOfAByte) {
+  const std::string program = mainOf("#b := B#16#81; M20.0 := #bit[0]; M20.1 := #bit[6]; #bit[7] := FALSE; MB22 := #b;",
+                                     "VAR_TEMP\n b : BYTE; bit AT b : ARRAY[0..7] OF BOOL;\nEND_VAR\n");
+  EXPECT_EQ(lastRow(program, "M20.0,M20.1,MB22"), "1,1,0,1");
+}
+
 // 16#1234_5678: the high word 16#1234 = 4660 comes first. Written through the view the whole changes.
 TEST(SclViews, PartsOfADoubleWord) {
   const std::string views =
