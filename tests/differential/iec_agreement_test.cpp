@@ -31,8 +31,10 @@ EncoderOptions freeInputs(Program& program) {
   return options;
 }
 
+/// `asksForAll`: the engine asks for every value that the system takes from outside. A result that the standard leaves
+/// open is such a value, and the engine asks for it only where a run comes to it.
 template <class Make>
-void agreeOnAll(std::uint64_t offset, int standard, int scans, Make&& make) {
+void agreeOnAll(std::uint64_t offset, int standard, int scans, Make&& make, bool asksForAll = true) {
   const char* const asked = std::getenv("RUNGPROOF_PROGRAMS");
   const int count = asked == nullptr ? standard : std::atoi(asked);
   int compared = 0, exact = 0;
@@ -40,7 +42,9 @@ void agreeOnAll(std::uint64_t offset, int standard, int scans, Make&& make) {
     const std::uint64_t seed = testSeed() + offset + static_cast<std::uint64_t>(i);
     const std::string text = make(seed);
     Program program = readText("main.st", text);
-    const AgreementOutcome outcome = compareScans(program, seed, scans, {.options = freeInputs(program)});
+    const AgreementOutcome outcome =
+        compareScans(program, seed, scans,
+                     {.options = freeInputs(program), .asked = {}, .usesAllExternals = asksForAll, .seen = {}});
     ASSERT_EQ(outcome.difference, "") << "seed " << seed << "\n" << text;
     compared += outcome.scans;
     exact += outcome.isExact && outcome.scans > 0 ? 1 : 0;
@@ -54,11 +58,13 @@ TEST(IecAgreement, PlainPrograms) {
 }
 
 TEST(IecAgreement, AllTypes) {
-  agreeOnAll(10000, 20, 20, [](std::uint64_t seed) { return iec_types::TypeProgram(seed, false).text(); });
+  agreeOnAll(
+      10000, 20, 20, [](std::uint64_t seed) { return iec_types::TypeProgram(seed, false).text(); }, false);
 }
 
 TEST(IecAgreement, TheLibrary) {
-  agreeOnAll(15000, 30, 30, [](std::uint64_t seed) { return iec_naive::LibraryProgram(seed).text(); });
+  agreeOnAll(
+      15000, 30, 30, [](std::uint64_t seed) { return iec_naive::LibraryProgram(seed).text(); }, false);
 }
 
 TEST(IecAgreement, Lists) {
