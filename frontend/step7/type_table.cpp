@@ -24,12 +24,12 @@ constexpr std::uint64_t longestStructure = 65535;
 constexpr std::size_t deepestTypes = 100;
 
 /// Bits of a value, without what fills an array up to an even number of bytes.
-std::uint64_t bitsOf(const Type& type) {
+std::uint64_t bitsOfView(const Type& type) {
   if (type.kind == TypeKind::Bool) return 1;
   const bool isRow = type.kind == TypeKind::Array && type.element != nullptr && type.bounds.size() == 1;
   if (!isRow) return s7300::sizeOf(type) * 8;
   const std::uint64_t each =
-      s7300::startsEven(*type.element) ? s7300::sizeOf(*type.element) * 8 : bitsOf(*type.element);
+      s7300::startsEven(*type.element) ? s7300::sizeOf(*type.element) * 8 : bitsOfView(*type.element);
   return type.bounds[0].count() * each;
 }
 
@@ -121,7 +121,7 @@ bool TypeTable::isView(const DeclarationSyntax& declaration, const Field& view, 
       return fmt::format("{}: a view of a parameter that its caller holds is not covered", name);
     if (!declaration.initial.empty()) return fmt::format("{}: a view has no start value", name);
     const bool isKnown = seen->type.kind != TypeKind::Unknown && view.type.kind != TypeKind::Unknown;
-    const std::uint64_t bits = bitsOf(view.type), most = bitsOf(seen->type);
+    const std::uint64_t bits = bitsOfView(view.type), most = bitsOfView(seen->type);
     if (isKnown && bits > most)
       return fmt::format("{} has {} bits, more than {} with {}", name, bits, seen->name, most);
     return {};
