@@ -79,6 +79,7 @@ TEST(ChildProcess, AJobLeavesStandardInputAndOutputAlone) {
 }
 
 TEST(ChildProcess, AnInterruptIsHandedOn) {
+  std::signal(SIGINT, SIG_DFL);  // a shell that starts tests in the background ignores it, and so would the child
   ChildProcess child(endlessWorker, "", ChildKind::Run);
   std::string bytes;
   EXPECT_EQ(child.output().take(bytes), ByteSource::Taken::Bytes);
