@@ -120,8 +120,9 @@ struct Rule {
   bool surplus = false;  ///< speaks of what could be taken away without a change; editors show it faded
   RuleStatus status = RuleStatus::Stable;
   bool enabledByDefault = true;
-  /// Its errors are those for which the editor or the CPU takes no program (table C-3, 001:13978-14008), so no command
-  /// runs the network they stand in (unread_code.hpp). A check may say otherwise of one finding.
+  /// Its errors are those for which the editor or the CPU takes no program (table C-3, 001:13978-14008), or which the
+  /// manual forbids without a word on what they do, so no command runs the network they stand in (unread_code.hpp). A
+  /// check may say otherwise of one finding.
   bool refuses = false;
   /// Judges each instruction by itself and by tables: it speaks even where a heading, a declaration or a Network line
   /// could not be read, and with it which block and which network the instructions around belong to.

@@ -12,8 +12,7 @@ namespace {
 void checkCtl010(const Facts& facts, FindingSink& sink) {
   eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
     for (const FlowStep& step : flow.steps) {
-      const StatementRole role = statementRole(*step.instruction);
-      if (role != StatementRole::OpenRelay && role != StatementRole::Relay) continue;
+      if (!isOfRelay(statementRole(*step.instruction))) continue;
       Finding& finding =
           sink.report(step.instruction->span, fmt::format("{} uses the master control relay", flow.pou->name));
       finding.help = "state the condition at each output; the relay is no replacement for one that is wired";

@@ -7,7 +7,6 @@
 #include "analysis/flow/logic_string.hpp"
 #include "analysis/flow/step7_blocks.hpp"
 #include "analysis/rule.hpp"
-#include "ir/s7300/relay_zone.hpp"
 
 namespace rungproof {
 
@@ -27,25 +26,21 @@ struct ZoneState {
   }
 };
 
-bool opensZone(const Instruction& instruction) { return statementRole(instruction) == StatementRole::OpenRelay; }
-
 std::vector<std::optional<ZoneState>> zoneStates(const Flow& flow) {
-  const auto isOfZone = [](const FlowStep& step) {
-    return opensZone(*step.instruction) || closesRelay(*step.instruction);
-  };
-  if (std::ranges::none_of(flow.steps, isOfZone)) return {};
+  const auto roleOf = [](const FlowStep& step) { return statementRole(*step.instruction); };
+  if (std::ranges::none_of(flow.steps, isOfRelay, roleOf)) return {};
   return statesOf(flow, ZoneState{}, [&](ZoneState& state, const FlowStep& step) {
     if (state.depth == ZoneState::unknownDepth) return;
-    if (opensZone(*step.instruction) && state.depth < mcrLevels)
+    const StatementRole role = roleOf(step);
+    if (role == StatementRole::OpenRelay && state.depth < mcrLevels)
       state.opened[state.depth++] = static_cast<std::uint32_t>(&step - flow.steps.data());
-    if (closesRelay(*step.instruction) && state.depth > 0) --state.depth;
+    if (role == StatementRole::CloseRelay && state.depth > 0) --state.depth;
   });
 }
 
 /// Parentheses or zones: what opens and closes them, and how they are called.
 struct Brackets {
-  bool (*opens)(const Instruction&);
-  bool (*closes)(const Instruction&);
+  StatementRole opens, closes;
   std::size_t levels;
   std::string_view several;  ///< what is open
   std::string_view closing;  ///< what closes
@@ -54,8 +49,8 @@ struct Brackets {
   std::string_view instead;  ///< of one more level
   bool isJoinedAtEnd;        ///< what stays open at a conditional end is joined with what the caller does next
 };
-constexpr Brackets parentheses = {[](const Instruction& each) { return statementRole(each) == StatementRole::Open; },
-                                  [](const Instruction& each) { return statementRole(each) == StatementRole::Close; },
+constexpr Brackets parentheses = {StatementRole::Open,
+                                  StatementRole::Close,
                                   nestingLevels,
                                   "parentheses",
                                   ")",
@@ -64,8 +59,14 @@ constexpr Brackets parentheses = {[](const Instruction& each) { return statement
                                   "keep a part of the logic in a temporary bit",
                                   true};
 // The zones of a block end with it: general knowledge.
-constexpr Brackets zones = {opensZone, closesRelay, mcrLevels, "MCR zones",
-                            ")MCR",    "MCR stack", "MCR(",    "state the condition at the outputs themselves",
+constexpr Brackets zones = {StatementRole::OpenRelay,
+                            StatementRole::CloseRelay,
+                            mcrLevels,
+                            "MCR zones",
+                            ")MCR",
+                            "MCR stack",
+                            "MCR(",
+                            "state the condition at the outputs themselves",
                             false};
 
 void reportOpen(const Facts& facts, FindingSink& sink, const Flow& flow, std::uint32_t openedAt, const Brackets& words,
@@ -96,12 +97,12 @@ void checkLevels(const Facts& facts, FindingSink& sink, const Flow& flow,
       finding.help = fmt::format("close all {} before a jump and before a label", words.several);
       return;
     }
-    if (words.closes(instruction) && state.depth == 0) {
+    if (role == words.closes && state.depth == 0) {
       Finding& finding = sink.report(instruction.span, fmt::format("this {} closes nothing", words.closing));
       finding.help = fmt::format("remove it, or write the {} that it belongs to", words.openers);
       return;
     }
-    if (words.opens(instruction) && state.depth == words.levels) {
+    if (role == words.opens && state.depth == words.levels) {
       Finding& finding =
           sink.report(instruction.span, fmt::format("{} opens level {}; the {} holds {}", Facts::text(instruction),
                                                     words.levels + 1, words.stack, words.levels));

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 
-#include "ir/s7300/block.hpp"
 #include "ir/s7300/organization_block.hpp"
 
 namespace rungproof {
@@ -144,10 +143,8 @@ CallGraph::CallGraph(const Program& program, const Plan& plan) {
     mark(a.routine, fromInterrupt_);
   }
   for (std::uint32_t b = 0; b < blocks; ++b) {
-    if (program.pous[b].type == BlockType::Ob) {
-      const int number = numberOfBlock(program.pous[b].number);
-      mark(b, number >= 100 && number <= 102 ? fromStartUp_ : fromOtherBlocks_);
-    }
+    if (program.pous[b].type == BlockType::Ob)
+      mark(b, s7300::isStartUpBlock(program.pous[b]) ? fromStartUp_ : fromOtherBlocks_);
     const bool isOb = program.pous[b].type == BlockType::Ob && s7300::mayStart(program, program.pous[b]);
     if (program.pous[b].kind == PouKind::Main || isOb) mark(b, fromMain_);
     if (callsByNumber && (program.pous[b].type == BlockType::Fc || program.pous[b].type == BlockType::Fb))

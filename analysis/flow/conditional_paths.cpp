@@ -204,6 +204,7 @@ void PathKnowledge::apply(const Facts& facts, const Instruction& instruction) {
       br_ = Known::Unknown;
       return makeUnknown(Known::No);
     case StatementRole::OpenRelay:
+    case StatementRole::CloseRelay:
     case StatementRole::Relay: {
       // Inside a zone that is off, = and T write 0.
       const std::vector<Level> levels = levels_;

@@ -6,7 +6,6 @@
 
 #include "analysis/flow/statement_paths.hpp"
 #include "ir/check.hpp"
-#include "ir/s7300/block.hpp"
 #include "ir/s7300/organization_block.hpp"
 
 namespace rungproof {
@@ -18,11 +17,6 @@ bool isAlways(const StackRun& stack, const Instruction& instruction) {
 }
 bool isNever(const StackRun& stack, const Instruction& instruction) {
   return (stack.at(instruction.id).flow & condition::Never) != 0;
-}
-/// OB100 to OB102 run once, before the first scan (002:1367-1415).
-bool isStartUpBlock(const Pou& pou) {
-  const int number = numberOfBlock(pou.number);
-  return pou.type == BlockType::Ob && number >= 100 && number <= 102;
 }
 
 }  // namespace
@@ -195,7 +189,7 @@ void ExecutionTable::count(const Program& program, const CallGraph& calls, const
   for (std::uint32_t b = 0; b < blocks; ++b) {
     if (program.pous[b].kind == PouKind::Main) certain[b] = possible[b] = 1;
     if (program.pous[b].type == BlockType::Ob && s7300::mayStart(program, program.pous[b])) possible[b] = 1;
-    if (isStartUpBlock(program.pous[b])) conditions_[b] = condition::FirstScan;
+    if (s7300::isStartUpBlock(program.pous[b])) conditions_[b] = condition::FirstScan;
     if (isLive(b) && missing[b] == 0) close(b);
   }
   const auto propagate = [&](std::uint32_t block) {

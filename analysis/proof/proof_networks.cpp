@@ -34,6 +34,7 @@ bool beginsAnew(StatementRole role) {
     case StatementRole::LoadAr2:
     case StatementRole::OpenBlock:
     case StatementRole::End:
+    case StatementRole::CloseRelay:
     case StatementRole::Relay:
     case StatementRole::Nothing: return true;
     default: return false;
@@ -55,6 +56,7 @@ Tie tieOf(StatementRole role) {
     case StatementRole::MoveAr1:
     case StatementRole::MoveAr2: return Tie::AddressRegister;
     case StatementRole::OpenRelay:
+    case StatementRole::CloseRelay:
     case StatementRole::Relay: return Tie::Relay;
     default: return Tie::None;
   }

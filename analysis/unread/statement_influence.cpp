@@ -89,6 +89,7 @@ RegisterUse useOfRole(const Instruction& instruction, bool goesOn) {
     case StatementRole::JumpAlways:
     case StatementRole::End:
     case StatementRole::OpenRelay:
+    case StatementRole::CloseRelay:
     case StatementRole::Relay:
     case StatementRole::Nothing: return {};
     case StatementRole::Other: break;
@@ -258,7 +259,7 @@ void StatementInfluence::control(std::uint32_t block, std::uint32_t at, std::uin
   const StatementRole role = statementRole(*here.instruction);
   switch (here.instruction->desc->control) {
     case Control::None:
-      if (role == StatementRole::OpenRelay || role == StatementRole::Relay) addEverything(cause);
+      if (isOfRelay(role)) addEverything(cause);
       return;
     case Control::LabelMark: return;
     case Control::BlockCall: return call(block, *here.instruction, cause);

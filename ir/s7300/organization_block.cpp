@@ -99,6 +99,11 @@ bool mayStart(const Program& program, const Pou& pou) {
   return startsOn(number, program.target.cpu);
 }
 
+bool isStartUpBlock(const Pou& pou) {
+  const int number = numberOfBlock(pou.number);
+  return pou.type == BlockType::Ob && number >= 100 && number <= 102;
+}
+
 std::vector<std::string> startTexts(const Program& program) {
   std::vector<std::string> texts;
   for (const Pou& pou : program.pous) {

@@ -39,6 +39,8 @@ bool startsOn(int number, Cpu cpu);
 /// Whether the CPU of the program may run the block: false for organization blocks that it never starts. A program that
 /// begins with a cold restart is for a CPU that has one.
 bool mayStart(const Program& program, const Pou& pou);
+/// OB100 to OB102 run once, before the first scan (002:1367-1415).
+bool isStartUpBlock(const Pou& pou);
 /// What is taken for granted of organization blocks that some CPUs start and others do not.
 std::vector<std::string> startTexts(const Program& program);
 /// "every CPU", "S7-400", "S7-400 and CPU 318-2".

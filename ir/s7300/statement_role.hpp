@@ -46,8 +46,9 @@ enum class StatementRole : std::uint8_t {
   EndByRlo,
   Call,  ///< CALL, UC
   CallByRlo,
-  OpenRelay,  ///< MCR(
-  Relay,      ///< )MCR, MCRA, MCRD
+  OpenRelay,   ///< MCR(
+  CloseRelay,  ///< )MCR
+  Relay,       ///< MCRA, MCRD
   Load,
   Transfer,
   TransferStatus,
@@ -114,6 +115,10 @@ constexpr bool drivesElement(StatementRole role) {
   }
 }
 /// =, S and R of a bit: they end the logic string too.
+/// The master control relay: MCR(, )MCR, MCRA, MCRD.
+constexpr bool isOfRelay(StatementRole role) {
+  return role == StatementRole::OpenRelay || role == StatementRole::CloseRelay || role == StatementRole::Relay;
+}
 constexpr bool drivesBit(StatementRole role) { return role == StatementRole::Assign || role == StatementRole::Latch; }
 /// Whether it leaves all accumulators alone and the next statement of the text runs behind it.
 constexpr bool keepsAccus(StatementRole role) {
