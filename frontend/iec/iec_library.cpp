@@ -1,4 +1,8 @@
 // The function blocks of the standard, in its own language: frontend/iec/library has a file for each group of them.
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
 #include "frontend/iec/iec_lowering.hpp"
 #include "frontend/iec/library/bistable_blocks.hpp"
 #include "frontend/iec/library/counter_blocks.hpp"
@@ -46,45 +50,49 @@ void eachGroup(Visit visit) {
 class Mentions {
  public:
   explicit Mentions(const SourceSet& sources) {
-    std::size_t size = 0;
-    for (std::size_t i = 0; i < sources.size(); ++i) size += sources.file(static_cast<std::uint32_t>(i)).text().size();
-    isLong_ = size > longText;
-    if (isLong_) return;
-    text_.reserve(size + sources.size());
-    for (std::size_t i = 0; i < sources.size(); ++i) {
-      for (const char c : sources.file(static_cast<std::uint32_t>(i)).text())
-        text_ += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-      text_ += ' ';
-    }
+    for (std::size_t i = 0; i < sources.size() && !isLong(); ++i)
+      add(sources.file(static_cast<std::uint32_t>(i)).text());
   }
 
-  /// Also as a part of a longer name. Of long texts it is taken for granted.
-  bool has(std::string_view name) const { return isLong_ || text_.find(name) != std::string::npos; }
-  /// Blocks that charts and drawings use without naming them, those that others use, and those that are mentioned.
-  bool asksFor(const std::string& name) const {
-    static constexpr std::string_view unnamed[] = {"TON", "R_TRIG", "F_TRIG"};
-    if (name.starts_with("__") || std::ranges::find(unnamed, name) != std::end(unnamed)) return true;
-    if ((name == library::Integral::name || name == library::Derivative::name) && hasWord(library::Pid::name))
-      return true;
-    return hasWord(name);
+  void add(std::string_view text) {
+    for (const char c : text) text_ += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    text_ += ' ';
   }
-
- private:
-  bool hasWord(std::string_view name) const {
-    if (isLong_) return true;
+  /// Whether the word stands somewhere. Of long texts it is taken for granted.
+  bool has(std::string_view word) const {
+    if (isLong()) return true;
     const auto isPart = [&](std::size_t at) {
       return at < text_.size() && (text_[at] == '_' || std::isalnum(static_cast<unsigned char>(text_[at])) != 0);
     };
-    for (std::size_t at = text_.find(name); at != std::string::npos; at = text_.find(name, at + 1)) {
-      if ((at == 0 || !isPart(at - 1)) && !isPart(at + name.size())) return true;
+    for (std::size_t at = text_.find(word); at != std::string::npos; at = text_.find(word, at + 1)) {
+      if ((at == 0 || !isPart(at - 1)) && !isPart(at + word.size())) return true;
     }
     return false;
   }
+  /// Whether a text of the program or of the library names it, as a part of another word too: STRING_TO_INT.
+  bool hasPart(std::string_view part) const { return isLong() || text_.find(part) != std::string::npos; }
 
-  static constexpr std::size_t longText = 1U << 16U;
+ private:
+  bool isLong() const { return text_.size() > (1U << 16U); }
+
   std::string text_;  ///< in capitals
-  bool isLong_ = false;
 };
+
+/// The declarations of the blocks that are mentioned, of those that these use, and of those that charts and drawings
+/// use without naming them.
+std::string wantedBlocks(Mentions& mentions) {
+  const auto isWanted = [&](const std::string& name) {
+    static constexpr std::string_view unnamed[] = {"TON", "R_TRIG", "F_TRIG"};
+    return name.starts_with("__") || std::ranges::find(unnamed, name) != std::end(unnamed) || mentions.has(name);
+  };
+  std::string text, before;
+  do {
+    before = std::exchange(text, {});
+    eachGroup([&](auto group) { group.addTo(text, isWanted); });
+    mentions.add(text);
+  } while (text.size() != before.size());
+  return text;
+}
 
 }  // namespace
 
@@ -112,10 +120,9 @@ std::vector<std::string> libraryBlockNames() {
 }
 
 void addStandardBlocks(Program& program, ProjectSyntax& project) {
-  const Mentions mentions(*program.sources);
-  std::string text;
-  eachGroup([&](auto group) { group.addTo(text, [&](const std::string& name) { return mentions.asksFor(name); }); });
-  if (mentions.has("STRING")) text += digits;
+  Mentions mentions(*program.sources);
+  std::string text = wantedBlocks(mentions);
+  if (mentions.hasPart("STRING")) text += digits;
   const std::uint32_t file = program.sources->add("blocks of IEC 61131-3", text);
   SyntaxSink sink(program, file);
   ProjectSyntax library;

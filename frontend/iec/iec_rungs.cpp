@@ -136,12 +136,20 @@ class RungReader {
   }
   static bool isNegated(const pugi::xml_node& node) {
     const std::string_view value = node.attribute("negated").value();
-    return value == "negated" || value == "true";
+    return value == "negated" || value == "true" || value == "1";
+  }
+  /// What a contact or coil does beside its variable: in the words of this form (kind), or in those of PLCopen.
+  static std::string kindOf(const pugi::xml_node& node) {
+    for (const char* name : {"kind", "storage", "edge"}) {
+      const std::string value = node.attribute(name).value();
+      if (!value.empty() && value != "normal" && value != "none") return value;
+    }
+    return {};
   }
 
   ExprPtr contact(const pugi::xml_node& node) {
-    const std::string kind = node.attribute("kind").value();
-    if (!kind.empty() && kind != "negated" && kind != "normal")
+    const std::string kind = kindOf(node);
+    if (!kind.empty() && kind != "negated")
       refuse(node, fmt::format("a contact of kind {} is not modelled", excerpt(kind)));
     ExprPtr value = variableOf(node);
     DrawnElement& drawn = draw(DrawnKind::Contact, value->span);
@@ -152,18 +160,19 @@ class RungReader {
 
   void coil(const pugi::xml_node& node, ExprPtr flow) {
     const Span span = bodies_.placeOf(node);
-    const std::string kind = node.attribute("kind").value();
+    const std::string kind = kindOf(node);
     ExprPtr target = variableOf(node);
     DrawnElement& drawn = draw(DrawnKind::Coil, target->span);
     drawn.text = node.attribute("variable").value();
     if (kind == "set" || kind == "reset") {
+      if (isNegated(node)) refuse(node, fmt::format("a negated coil of kind {} is not modelled", kind));
       drawn.storage = kind == "set" ? DrawnStorage::Set : DrawnStorage::Reset;
       Statements body;
       body.push_back(assignmentOf(std::move(target), literalOf(kind == "set" ? "TRUE" : "FALSE", span), span));
       made.push_back(ifOf(std::move(flow), std::move(body), span));
       return;
     }
-    if (!kind.empty() && kind != "normal" && kind != "negated")
+    if (!kind.empty() && kind != "negated")
       refuse(node, fmt::format("a coil of kind {} is not modelled", excerpt(kind)));
     drawn.negated = isNegated(node) || kind == "negated";
     if (drawn.negated) flow = notOf(std::move(flow));
@@ -203,6 +212,8 @@ class RungReader {
     for (const pugi::xml_node& pin : node.children()) {
       if (!isElement(pin, "variable")) continue;
       const std::string formal = foldedName(pin.attribute("formalParameter").value());
+      if (isNegated(pin) || !kindOf(pin).empty())
+        refuse(pin, fmt::format("a pin that negates or finds edges, as {}, is not modelled in such a rung", formal));
       ExprPtr actual = bodies_.expressionOf(pin);
       if (actual == nullptr) throw Unwritable{};
       const bool isOutput = std::ranges::find(results, formal) != results.end();

@@ -54,6 +54,19 @@ TEST(IecRungs, ContactsInSeriesGoToTheCoils) {
   expectVerdict(xml, "s = q", "VIOLATED");          // it stays set
 }
 
+// The attributes of PLCopen mean in a rung what they mean elsewhere; "none" is what editors write where there is
+// nothing.
+TEST(IecRungs, AttributesOfPlcopen) {
+  const std::string xml = rungs(rungOf(contactOf("a", "negated=\"false\" storage=\"none\" edge=\"none\"") +
+                                       coilOf("s", "storage=\"set\"") + coilOf("q", "storage=\"none\"")) +
+                                rungOf(contactOf("c", "negated=\"1\"") + coilOf("s", "storage=\"reset\"")));
+  expectVerdict(xml, "(not c) implies not s", "PROVED");
+  expectVerdict(xml, "prev(s) and c implies s", "PROVED");  // it stays set
+  expectVerdict(xml, "q = a", "PROVED");
+  const IecOutput shown = runIec({"show", "--dialect", "iec"}, xml, "main.xml");
+  EXPECT_TRUE(shown.has("(S)") && shown.has("(R)")) << shown.text;
+}
+
 /// A rung is a network and is drawn as it stands: q by a and not b, and the same flow sets s.
 TEST(IecRungs, RungsAreDrawn) {
   const std::string pins =
@@ -105,6 +118,14 @@ TEST(IecRungs, WhatIsNotModelledIsNamed) {
   };
   saysOf(rungOf("<jump label=\"x\"/>"), "<jump> in a rung is not modelled");
   saysOf(rungOf(contactOf("a", "kind=\"rising\"") + coilOf("q")), "a contact of kind rising is not modelled");
+  saysOf(rungOf(contactOf("a", "edge=\"falling\"") + coilOf("q")), "a contact of kind falling is not modelled");
+  saysOf(rungOf(contactOf("a") + coilOf("q", "edge=\"rising\"")), "a coil of kind rising is not modelled");
+  saysOf(rungOf(contactOf("a") + coilOf("q", "storage=\"set\" negated=\"true\"")),
+         "a negated coil of kind set is not modelled");
+  saysOf(rungOf("<block typeName=\"TON\" instanceName=\"d\"><variable formalParameter=\"IN\" negated=\"true\">a"
+                "</variable></block>") +
+             rungOf(contactOf("a") + coilOf("q")),
+         "a pin that negates or finds edges, as IN, is not modelled in such a rung");
   saysOf(rungOf(contactOf("a") + "<coil/>"), "<coil> names no variable");
   saysOf(rungOf(contactOf("a") + "<block typeName=\"TON\" instanceName=\"d\"/>"), "contacts in front of a block");
   saysOf(rungOf(contactOf("a") + coilOf("q")) + "<comment/>", "<comment> stands between rungs");
