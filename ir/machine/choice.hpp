@@ -57,6 +57,7 @@ enum class Choice : std::uint8_t {
   LongestScan,
   UnwrittenOutput,
   CallDataBlock,
+  CallAddressRegister,
   IecDivZero,
   IecModZero,
   IecArrayRange,

@@ -275,6 +275,12 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      "S7-300/400: the DB register in an FB and behind its CALL: compiled code exchanges DB and DI around the block, so "
      "that it begins with the DI of its caller, and leaves the instance; or DB keeps its block",
      "002:222"},
+    {Choice::CallAddressRegister,
+     "call-address-register",
+     {"given-back", "left", ""},
+     "S7-300/400: AR2 in an FB behind the CALL of an FC, where the FB finds its own data by it: what it was before, or "
+     "what the FC leaves",
+     "002:1434"},
     {Choice::IecDivZero,
      "iec-div-zero",
      {"fault", "zero", ""},

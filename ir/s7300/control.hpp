@@ -366,6 +366,9 @@ void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instructi
       values.push_back(places.load(places.find(place, width), width));
     });
     m_.put(s.ar[1], activation.callerAr2, 32);
+  } else if (hasInstance(*caller->pou) && instruction.desc->stl == "CALL") {
+    const Bool isGivenBack = m_.reads({Choice::CallAddressRegister, "given-back"});
+    m_.put(s.ar[1], m_.d.select(isGivenBack, activation.callerAr2, s.ar[1], 32), 32);
   }
   m_.put(s.db, activation.callerDb, 16);
   m_.put(s.di, activation.callerDi, 16);

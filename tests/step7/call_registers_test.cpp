@@ -78,6 +78,31 @@ TEST(CallRegisters, DataBehindACall) {
       proofOf(asked, before + block(1, "OPN DB 5;CALL FB 1, DB 1;OPN DB 5;L DBW 0;T MW 20")).has("PROVED  word"));
 }
 
+// An FC that uses AR2 is called from an FB, whose own data are found by it: x = 7 lies at byte 0, y = 9 at byte 2. UC
+// gives nothing back.
+TEST(CallRegisters, AddressRegister2BehindAFunction) {
+  const std::string function = "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\nLAR2 P#2.0;\nEND_FUNCTION\n";
+  const std::string own = "VAR\n  x : INT := 7;\n  y : INT := 9;\nEND_VAR\n";
+  const auto program = [&](const std::string& call) {
+    return function + functionBlock(1, own, call + ";L #x;T MW 10") + instanceOf(1, 1) + block(1, "CALL FB 1, DB 1");
+  };
+  const std::string asked = "prove seven: MW10 = 7\nprove nine: MW10 = 9\n";
+  EXPECT_TRUE(lastRow(program("CALL FC 1"), "MW10", {"--scans", "1"}).ends_with(",7"));
+  const Output open = proofOf(asked, program("CALL FC 1"));
+  EXPECT_TRUE(open.has("VIOLATED  seven") && open.has("under call-address-register = left")) << open.text;
+  EXPECT_TRUE(open.has("VIOLATED  nine")) << open.text;
+  const Output back = proofOf(asked, program("CALL FC 1"), {"--choice", "call-address-register=given-back"});
+  EXPECT_TRUE(back.has("PROVED  seven")) << back.text;
+  const Output left = proofOf(asked, program("CALL FC 1"), {"--choice", "call-address-register=left"});
+  EXPECT_TRUE(left.has("PROVED  nine")) << left.text;
+  EXPECT_TRUE(proofOf(asked, program("UC FC 1")).has("PROVED  nine"));
+  // An FC that leaves AR2 alone opens no point.
+  const std::string quiet = "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\nL 1;\nT MW 20;\nEND_FUNCTION\n";
+  const Output same = proofOf("prove seven: MW10 = 7\n", quiet + functionBlock(1, own, "CALL FC 1;L #x;T MW 10") +
+                                                             instanceOf(1, 1) + block(1, "CALL FB 1, DB 1"));
+  EXPECT_TRUE(same.has("PROVED  seven") && !same.has("call-address-register")) << same.text;
+}
+
 // SFB4 (TON) is called in the same way; UC, and CALL of an FC, give both registers back.
 TEST(CallRegisters, OtherCalls) {
   const std::string timer = "DATA_BLOCK DB 1\nSFB 4\nBEGIN\nEND_DATA_BLOCK\n";
