@@ -47,10 +47,7 @@ ValueSet ScanEncoding::pointerValues(Node pointer, Node guard) {
 /// The same after what the guard decides has been chosen, where that is needed to list them.
 ValueSet ScanEncoding::listedOrBounded(Node pointer, Node guard) {
   const auto valuesOf = [&](Node node, Node condition) {
-    ValueSet values = pointerValues(node, condition);
-    // A short range is as good as a list.
-    values.restrict(values.facts().low, values.facts().high, pointerValueLimit);
-    return values;
+    return pointerValues(node, condition).listedIfFew(pointerValueLimit);
   };
   const ValueSet values = valuesOf(pointer, guard);
   if (values.isListed()) return values;

@@ -100,12 +100,20 @@ void ValueSet::restrict(std::uint64_t low, std::uint64_t high, std::size_t limit
   while (stride < (1ULL << 32) && ((facts_.zeros | facts_.ones) & stride) != 0) stride <<= 1;
   if ((facts_.high - facts_.low) / stride >= limit) return;
   std::vector<std::uint64_t> listed;
-  for (std::uint64_t value = facts_.low; value <= facts_.high; ++value) {
+  std::uint64_t value = (facts_.low & ~(stride - 1)) | (facts_.ones & (stride - 1));
+  if (value < facts_.low) value += stride;
+  for (; value >= facts_.low && value <= facts_.high; value += stride) {
     if (contains(value)) listed.push_back(value);
     if (listed.size() > limit) return;
-    if (value == ~0ULL) break;
+    if (value > ~0ULL - stride) break;
   }
   *this = list(std::move(listed), limit);
+}
+
+ValueSet ValueSet::listedIfFew(std::size_t limit) const {
+  ValueSet result = *this;
+  if (!isListed()) result.restrict(facts_.low, facts_.high, limit);
+  return result;
 }
 
 ValueSet ValueSet::combine(const NodeData& node, std::array<int, 2> childWidth, std::array<const ValueSet*, 3> operand,
@@ -117,6 +125,14 @@ ValueSet ValueSet::combine(const NodeData& node, std::array<int, 2> childWidth, 
     ValueSet result = *operand[1];
     result.join(*operand[2], limit);
     return result;
+  }
+  if (node.op == Op::Mul || node.op == Op::Add) {
+    // An index times the size of a row leaves gaps, which bounds do not tell: 0 to 7 times 48 is eight values.
+    const auto isOfMany = [](const ValueSet& set) { return set.isListed() && !set.isSingle(); };
+    const bool leavesGaps = node.op == Op::Mul || isOfMany(*operand[0]) || isOfMany(*operand[1]);
+    const ValueSet left = leavesGaps ? operand[0]->listedIfFew(limit) : *operand[0];
+    const ValueSet right = leavesGaps ? operand[1]->listedIfFew(limit) : *operand[1];
+    if (left != *operand[0] || right != *operand[1]) return combine(node, childWidth, {&left, &right, nullptr}, limit);
   }
   std::array<std::vector<std::uint64_t>, 3> values;
   std::array<Graph::Facts, 3> facts{};

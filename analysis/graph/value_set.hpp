@@ -31,6 +31,8 @@ class ValueSet {
   void widen(const ValueSet& before, int width);
   /// Leaves only values in [low, high]; lists them if they are at most `limit`.
   void restrict(std::uint64_t low, std::uint64_t high, std::size_t limit);
+  /// The same set; lists its values if they are at most `limit`.
+  ValueSet listedIfFew(std::size_t limit) const;
 
   /// Result of an operation; listed if all operands are and the result has at most `limit` values.
   static ValueSet combine(const NodeData& node, std::array<int, 2> childWidth, std::array<const ValueSet*, 3> operand,

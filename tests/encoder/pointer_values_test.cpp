@@ -82,6 +82,24 @@ TEST(PointerValues, ScaledIndexIsResolvedWhereComparisonsBoundIt) {
   }
 }
 
+// Rows of 48 bits from bit 16 on, and a byte of such a row: the products have gaps that bounds do not tell.
+TEST(PointerValues, IndexTimesTheSizeOfARowHasOneValueForEachRow) {
+  Graph g;
+  const Node i = g.variable("i", 32, false), j = g.variable("j", 32, false), c = g.variable("c", 1, false);
+  const auto number = [&](std::uint64_t value) { return g.constantNode(value, 32); };
+  const auto below = [&](Node n, std::uint64_t mask) { return g.make(Op::And, 32, n, number(mask)); };
+  const Node index = g.make(Op::Ite, 32, c, below(i, 3), j);
+  const Node row = g.make(Op::Add, 32, g.make(Op::Mul, 32, index, number(48)), number(16));
+  const Node inRow = g.make(Op::Add, 32, row, g.make(Op::Shl, 32, below(j, 1), number(3)));
+  const VariableValues none;
+  const ValueSet rows = ValueEvaluator(g, none).valuesOf(row, c, pointerValueLimit);
+  ASSERT_TRUE(rows.isListed());
+  EXPECT_EQ(rows.values(), (std::vector<std::uint64_t>{16, 64, 112, 160}));
+  const ValueSet bytes = ValueEvaluator(g, none).valuesOf(inRow, c, pointerValueLimit);
+  ASSERT_TRUE(bytes.isListed());
+  EXPECT_EQ(bytes.values(), (std::vector<std::uint64_t>{16, 24, 64, 72, 112, 120, 160, 168}));
+}
+
 TEST(PointerValues, BoundsOfANumberBoundTheBytesThatItIsJoinedFrom) {
   // Signed 0 <= ab and ab <= 9 leave a = 0 and b = 0 to 9.
   Graph g;
