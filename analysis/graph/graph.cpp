@@ -52,6 +52,7 @@ Node Graph::intern(const NodeData& data) {
   const Facts facts = factsOf(data);
   if (data.op != Op::Constant && facts.low == facts.high && !isAsWritten_) return constantNode(facts.low, data.width);
   CHECK(nodes_.size() < 0xFFFFFFF0U, "graph is full");
+  compared_.push_back(comparedBy(data));
   nodes_.push_back(data);
   facts_.push_back(facts);
   table_[at] = static_cast<std::uint32_t>(nodes_.size());

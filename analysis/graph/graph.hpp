@@ -264,6 +264,7 @@ class Graph {
 
   // graph_facts.cpp
   Facts factsOf(const NodeData& data) const;
+  Node comparedBy(const NodeData& data) const;
   std::optional<std::uint64_t> fold(Op op, int width, Node a, Node b, Node c, std::uint64_t value) const;
 
   // graph_boolean.cpp
@@ -307,6 +308,7 @@ class Graph {
 
   std::vector<NodeData> nodes_;
   std::vector<Facts> facts_;
+  std::vector<Node> compared_;  ///< what the node compares with a constant, negated or not; noNode: nothing
   std::vector<Variable> variables_;
   std::vector<std::uint32_t> table_;  ///< open addressing: node index + 1, 0 free
   int depth_ = 0;                     ///< of nested rewriting; beyond a limit nodes are made as they are

@@ -75,13 +75,8 @@ Graph::Truth Graph::underOne(Node condition, Node assumed) const {
   const bool negated = is(condition, Op::Not), assumedNegated = is(assumed, Op::Not);
   if (negated && child(condition, 0) == assumed) return Truth::False;
   if (assumedNegated && child(assumed, 0) == condition) return Truth::False;
-  const auto subjectOf = [&](Node literal) {
-    const NodeData& n = (*this)[is(literal, Op::Not) ? child(literal, 0) : literal];
-    if (n.op != Op::Equal && n.op != Op::Ult && n.op != Op::Slt) return noNode;
-    return is(n.child[1], Op::Constant) ? n.child[0] : is(n.child[0], Op::Constant) ? n.child[1] : noNode;
-  };
-  const Node subject = subjectOf(condition);
-  if (subject == noNode || subject != subjectOf(assumed)) return Truth::Open;
+  const Node subject = compared_[indexOf(condition)];
+  if (subject == noNode || subject != compared_[indexOf(assumed)]) return Truth::Open;
   const std::optional<Range> given = rangeOf(*this, assumed);
   if (!given || given->isInverted) return Truth::Open;
   std::optional<Range> asked = rangeOf(*this, condition);

@@ -22,6 +22,13 @@ std::optional<std::uint64_t> Graph::fold(Op op, int width, Node a, Node b, Node 
   return evaluateOperation(op, width, widths, operand, value) & maskOf(width);
 }
 
+Node Graph::comparedBy(const NodeData& n) const {
+  if (n.op == Op::Not) return compared_[indexOf(n.child[0])];
+  if (n.op != Op::Equal && n.op != Op::Ult && n.op != Op::Slt) return noNode;
+  if (isConstant(n.child[1])) return n.child[0];
+  return isConstant(n.child[0]) ? n.child[1] : noNode;
+}
+
 Graph::Facts Graph::factsOf(const NodeData& n) const {
   std::array<Facts, 3> operand{};
   std::array<int, 2> widths{};
