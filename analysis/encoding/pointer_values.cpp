@@ -472,12 +472,16 @@ void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCe
   ValueEvaluator evaluator(graph, values);
   PointerCells pointers(system, evaluator, values, later, interruption);
   std::set<Node> walked;
+  // A condition that a pointer depends on has two values at most.
+  const auto isFollowed = [&](const StateVariable& s) {
+    return pointerCells.contains(s.node) && graph[s.node].width > 1;
+  };
   for (int round = 0;; ++round) {
     bool isChanged = false;
     if (interruption) interruption();
     evaluator.run(cone, valueLimit);
     for (const StateVariable& s : system.states) {
-      if (pointerCells.contains(s.node)) continue;
+      if (isFollowed(s)) continue;
       const ValueSet before = values[s.node];
       ValueSet& set = values[s.node];
       if (!set.join(evaluator.at(s.next), valueLimit)) continue;
@@ -485,7 +489,7 @@ void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCe
       isChanged = true;
     }
     for (const StateVariable& s : system.states) {
-      if (!pointerCells.contains(s.node) || walked.contains(s.node)) continue;
+      if (!isFollowed(s) || walked.contains(s.node)) continue;
       if (!pointers.follow(s, isChanged)) {
         // Its own values do not end; perhaps another cell makes it start again.
         walked.insert(s.node);

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "analysis/bits/bit_blast.hpp"
 #include "analysis/bits/bit_cnf.hpp"
@@ -15,9 +17,11 @@ namespace {
 
 constexpr std::size_t companionLimit = 12;  ///< cells that are tried
 constexpr std::size_t tupleLimit = 1024;
-constexpr std::size_t firstTuples = 64;   ///< in the first turn; twice as many in each that follows
-constexpr std::size_t coneLimit = 20000;  ///< nodes of the next-state functions
-constexpr int solverLimit = 4000;         ///< calls of the solver, so that the answer does not depend on the machine
+constexpr std::size_t firstTuples = 64;    ///< in the first turn; twice as many in each that follows
+constexpr std::size_t triedSteps = 12;     ///< that are looked at first
+constexpr std::size_t mostOfOneStep = 64;  ///< values of the pointer after one of them
+constexpr std::size_t coneLimit = 20000;   ///< nodes of the next-state functions
+constexpr int solverLimit = 4000;          ///< calls of the solver, so that the answer does not depend on the machine
 constexpr double walkSeconds = 10;
 
 using Tuple = std::vector<std::uint64_t>;
@@ -32,13 +36,14 @@ class PointerWalk {
 
   std::optional<Walk> run() {
     const std::vector<Node> near = companions();
+    const Budget budget = Budget::seconds(walkSeconds);
+    if (isBoundless(near, budget)) return std::nullopt;
     std::vector<std::vector<Node>> attempts{{}};
     for (const Node n : near) attempts.push_back({n});
     for (std::size_t i = 0; i < near.size(); ++i) {
       for (std::size_t j = i + 1; j < near.size(); ++j) attempts.push_back({near[i], near[j]});
     }
     for (std::vector<Node>& others : attempts) others.insert(others.begin(), pointer_);
-    const Budget budget = Budget::seconds(walkSeconds);
     // Those that do not end need not be followed far before the others have had their turn.
     for (std::size_t most = firstTuples; !attempts.empty(); most *= 2) {
       most_ = std::min(most, tupleLimit);
@@ -69,73 +74,124 @@ class PointerWalk {
     return result;
   }
 
+  /// The next-state functions of some cells, with a solver that gives their values one after the other.
+  class Step {
+   public:
+    Step(const PointerWalk& walk, const std::vector<Node>& cells) : walk_(walk), cells_(cells) {
+      system_.graph = &walk.graph_;
+      std::vector<Node> roots = cells;
+      roots.insert(roots.end(), walk.firstScans_.begin(), walk.firstScans_.end());
+      for (const Node n : cells) {
+        const StateVariable& state = walk.states_.at(n);
+        isFree_.push_back(state.init == noNode || walk.graph_[state.init].op != Op::Constant);
+        first_.push_back(isFree_.back() ? 0 : walk.graph_[state.init].value);
+        roots.push_back(state.next);
+      }
+      if (coneOf(walk.graph_, roots).size() > coneLimit) return;
+      blast_.emplace(system_, std::vector<std::size_t>{}, roots);
+      cnf_.emplace(blast_->bits(), sat_);
+      for (const Node n : cells) {
+        from_.push_back(literals(n));
+        to_.push_back(literals(walk.states_.at(n).next));
+      }
+      for (const Node n : walk.firstScans_) inFirst_.push_back(literals(n)[0]);
+    }
+    bool isTooLarge() const { return !blast_; }
+    /// What the cells start with; any value of those without a start.
+    const Tuple& first() const { return first_; }
+
+    /// Hands each tuple that may follow to `take`, which gives whether it wants more. They differ in the first
+    /// `compared` cells. False if that was cut off.
+    template <class Take>
+    bool successors(const Tuple& tuple, bool isFirst, std::size_t compared, int& calls, const Budget& budget,
+                    const Take& take) {
+      const int round = sat_.newVariable();
+      std::vector<int> assumptions{round};
+      for (const int l : inFirst_) assumptions.push_back(isFirst ? l : -l);
+      for (std::size_t c = 0; c < cells_.size(); ++c) {
+        if (isFirst && isFree_[c]) continue;
+        for (std::size_t bit = 0; bit < from_[c].size(); ++bit)
+          assumptions.push_back((tuple[c] >> bit & 1U) != 0 ? from_[c][bit] : -from_[c][bit]);
+      }
+      for (;;) {
+        if (++calls > solverLimit) return false;
+        if (walk_.interruption_) walk_.interruption_();
+        const Sat::Outcome outcome = sat_.solve(assumptions, budget);
+        if (outcome == Sat::Outcome::Unknown) return false;
+        if (outcome == Sat::Outcome::Unsatisfiable) break;
+        Tuple next;
+        std::vector<int> differs{-round};
+        for (const std::vector<int>& cell : to_) {
+          const bool isCompared = next.size() < compared;
+          next.push_back(0);
+          for (std::size_t bit = 0; bit < cell.size(); ++bit) {
+            const bool isSet = sat_.value(cell[bit]);
+            next.back() |= static_cast<std::uint64_t>(isSet) << bit;
+            if (isCompared) differs.push_back(isSet ? -cell[bit] : cell[bit]);
+          }
+        }
+        sat_.add(differs);
+        if (!take(std::move(next))) return false;
+      }
+      sat_.add({-round});
+      return true;
+    }
+
+   private:
+    std::vector<int> literals(Node n) {
+      std::vector<int> result;
+      for (const Lit l : blast_->of(n)) result.push_back(cnf_->literal(l));
+      return result;
+    }
+
+    const PointerWalk& walk_;
+    const std::vector<Node>& cells_;
+    TransitionSystem system_;  ///< in which variables are inputs of one step
+    Tuple first_;
+    std::vector<bool> isFree_;  ///< at the start of the first scan
+    std::optional<BitBlast> blast_;
+    Sat sat_{Sat::Use::Many};
+    std::optional<BitCnf> cnf_;
+    std::vector<std::vector<int>> from_, to_;
+    std::vector<int> inFirst_;
+  };
+
+  /// Whether the pointer may go too far in one step although all that might limit it is known: nothing limits it then.
+  bool isBoundless(const std::vector<Node>& near, const Budget& budget) {
+    std::vector<Node> all{pointer_};
+    all.insert(all.end(), near.begin(), near.end());
+    Step step(*this, all);
+    if (step.isTooLarge()) return false;
+    std::vector<Tuple> tried{step.first()};
+    for (std::size_t i = 0; i < tried.size() && i < triedSteps; ++i) {
+      std::size_t count = 0;
+      step.successors(Tuple(tried[i]), i == 0, 1, calls_, budget, [&](Tuple next) {
+        if (tried.size() < triedSteps && std::ranges::find(tried, next) == tried.end())
+          tried.push_back(std::move(next));
+        return ++count <= mostOfOneStep;
+      });
+      if (count > mostOfOneStep) return true;
+    }
+    return false;
+  }
+
   /// Closes the initial tuple under all steps; nothing if the tuples become too many.
   std::optional<Walk> follow(const std::vector<Node>& cells, const Budget& budget) {
-    TransitionSystem step;  // variables are inputs of one step
-    step.graph = &graph_;
-    std::vector<Node> roots = cells;
-    roots.insert(roots.end(), firstScans_.begin(), firstScans_.end());
-    Tuple first;
-    std::vector<bool> isFree;  // at the start of the first scan
-    for (const Node n : cells) {
-      const StateVariable& state = states_.at(n);
-      isFree.push_back(state.init == noNode || graph_[state.init].op != Op::Constant);
-      first.push_back(isFree.back() ? 0 : graph_[state.init].value);
-      roots.push_back(state.next);
-    }
-    if (coneOf(graph_, roots).size() > coneLimit) return std::nullopt;
-    BitBlast blast(step, {}, roots);
-    Sat sat(Sat::Use::Many);
-    BitCnf cnf(blast.bits(), sat);
-    const auto literals = [&](Node n) {
-      std::vector<int> result;
-      for (const Lit l : blast.of(n)) result.push_back(cnf.literal(l));
-      return result;
-    };
-    std::vector<std::vector<int>> from, to;
-    for (const Node n : cells) {
-      from.push_back(literals(n));
-      to.push_back(literals(states_.at(n).next));
-    }
-    std::vector<int> inFirst;
-    for (const Node n : firstScans_) inFirst.push_back(literals(n)[0]);
+    Step step(*this, cells);
+    if (step.isTooLarge()) return std::nullopt;
     std::set<Tuple> seen;  // at the start of scans that are not the first one
-    std::vector<Tuple> open{first};
+    std::vector<Tuple> open{step.first()};
     std::set<std::uint64_t> values;
     for (bool isFirst = true; !open.empty(); isFirst = false) {
       const Tuple tuple = std::move(open.back());
       open.pop_back();
-      const int round = sat.newVariable();
-      std::vector<int> assumptions{round};
-      for (const int l : inFirst) assumptions.push_back(isFirst ? l : -l);
-      for (std::size_t c = 0; c < cells.size(); ++c) {
-        if (isFirst && isFree[c]) continue;
-        for (std::size_t bit = 0; bit < from[c].size(); ++bit)
-          assumptions.push_back((tuple[c] >> bit & 1U) != 0 ? from[c][bit] : -from[c][bit]);
-      }
-      for (;;) {
-        if (++calls_ > solverLimit) return std::nullopt;
-        if (interruption_) interruption_();
-        const Sat::Outcome outcome = sat.solve(assumptions, budget);
-        if (outcome == Sat::Outcome::Unknown) return std::nullopt;
-        if (outcome == Sat::Outcome::Unsatisfiable) break;
-        Tuple next;
-        std::vector<int> differs{-round};
-        for (const std::vector<int>& cell : to) {
-          next.push_back(0);
-          for (std::size_t bit = 0; bit < cell.size(); ++bit) {
-            const bool isSet = sat.value(cell[bit]);
-            next.back() |= static_cast<std::uint64_t>(isSet) << bit;
-            differs.push_back(isSet ? -cell[bit] : cell[bit]);
-          }
-        }
-        sat.add(differs);
+      const bool isWhole = step.successors(tuple, isFirst, cells.size(), calls_, budget, [&](Tuple next) {
         values.insert(next[0]);
         if (seen.insert(next).second) open.push_back(std::move(next));
         isCut_ = seen.size() > most_ && most_ < tupleLimit;
-        if (seen.size() > most_ || values.size() > limit_) return std::nullopt;
-      }
-      sat.add({-round});
+        return seen.size() <= most_ && values.size() <= limit_;
+      });
+      if (!isWhole) return std::nullopt;
     }
     return Walk{{values.begin(), values.end()}, cells, std::move(seen)};
   }
