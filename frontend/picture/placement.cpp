@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <span>
 
 #include "frontend/picture/node_shape.hpp"
 
@@ -12,11 +14,16 @@ namespace {
 
 constexpr int notPlaced = -1;
 
-/// A stretch of rows at the border of two columns that belongs to one net.
-struct Taken {
+/// Rows at the border of two columns, from the first to the last of them.
+struct Stretch {
   int row0;
   int row1;
-  int net;
+};
+
+/// What belongs to nets at the border of two columns.
+struct Border {
+  std::vector<std::vector<int>> netsAt;  ///< by row
+  std::map<int, Stretch> last;           ///< by net: the stretch that grew last
 };
 
 /// Where a node stands.
@@ -34,9 +41,15 @@ class Placement {
         hasRails_(plan.hasRails),
         usual_(std::min(page, usualWidth)),
         spots_(plan.nodes.size()),
-        uses_(plan.nodes.size(), 0) {
-    for (const PlanNode& node : nodes_) {
-      for (const NodeInput& input : node.inputs) ++uses_[index(input.from)];
+        uses_(plan.nodes.size(), 0),
+        joins_(plan.nodes.size()) {
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      for (const NodeInput& input : nodes_[i].inputs) {
+        ++uses_[index(input.from)];
+        std::vector<int>& joins = joins_[index(input.from)];
+        const bool isNew = joins.empty() || joins.back() != static_cast<int>(i);
+        if (nodes_[i].kind == NodeKind::Join && isNew) joins.push_back(static_cast<int>(i));
+      }
     }
   }
 
@@ -236,18 +249,29 @@ class Placement {
   }
   void claim(int border, int row0, int row1, int net) {
     if (border == 0 && hasRails_) return;
-    for (const Taken& other : taken_[index(border)]) {
-      const bool overlaps = other.row0 <= row1 && row0 <= other.row1;
-      if (overlaps && other.net != net && !meet(other.net, net)) reason_ = "wires would cross";
+    Border& taken = taken_[index(border)];
+    const auto claimRow = [&](int row) {
+      if (index(row) >= taken.netsAt.size()) taken.netsAt.resize(index(row) + 1);
+      std::vector<int>& nets = taken.netsAt[index(row)];
+      if (std::ranges::any_of(nets, [&](int other) { return other != net && !meet(other, net); }))
+        reason_ = "wires would cross";
+      if (std::ranges::find(nets, net) == nets.end()) nets.push_back(net);
+    };
+    // A wire that grows downwards has claimed all but its new rows.
+    const auto [place, isFirst] = taken.last.try_emplace(net, row0, row1);
+    Stretch& last = place->second;
+    const bool grows = !isFirst && last.row0 <= row1 && row0 <= last.row1;
+    for (int row = row0; row <= row1; ++row) {
+      if (grows && row == last.row0)
+        row = last.row1;
+      else
+        claimRow(row);
     }
-    taken_[index(border)].push_back({row0, row1, net});
+    last = grows ? Stretch{std::min(last.row0, row0), std::max(last.row1, row1)} : Stretch{row0, row1};
   }
   /// A wire that ends in a join touches it.
   bool meet(int a, int b) const { return feeds(a, b) || feeds(b, a); }
-  bool feeds(int from, int to) const {
-    if (node(to).kind != NodeKind::Join) return false;
-    return std::ranges::any_of(node(to).inputs, [&](const NodeInput& input) { return input.from == from; });
-  }
+  bool feeds(int from, int to) const { return std::ranges::find(joins_[index(from)], to) != joins_[index(from)].end(); }
 
   // ---- Drawing ----------------------------------------------------------------------------------
 
@@ -348,28 +372,31 @@ class Placement {
     }
     for (const auto& [place, rows] : verticals_)
       wire(borderX(place.first), rows.first, borderX(place.first), rows.second, place.second);
-    for (const auto& [place, rows] : verticals_)
-      markBranches(borderX(place.first), rows.first, rows.second, place.second);
+    std::map<int, std::vector<const PictureWire*>> upright, level;  // by column of characters, by row
+    for (const PictureWire& w : picture_.wires) (w.isVertical() ? upright[w.x0] : level[w.y0]).push_back(&w);
+    std::set<std::pair<int, int>> marked;
+    for (const auto& [place, rows] : verticals_) {
+      const int x = borderX(place.first);
+      for (int row = rows.first; row <= rows.second; ++row) {
+        if (armsAt(x, row, upright[x], level[row]) > 2 && marked.emplace(x, row).second)
+          picture_.dots.push_back({x, row, node(place.second).output});
+      }
+    }
   }
 
-  /// Dots on a vertical wire where three lines or more meet.
-  void markBranches(int x, int row0, int row1, int net) {
-    for (int row = row0; row <= row1; ++row) {
-      bool up = false, down = false, left = false, right = false;
-      for (const PictureWire& w : picture_.wires) {
-        if (w.isVertical() && w.x0 == x) {
-          up = up || (w.y0 < row && row <= w.y1);
-          down = down || (w.y0 <= row && row < w.y1);
-        } else if (!w.isVertical() && w.y0 == row) {
-          left = left || (w.x0 < x && x <= w.x1);
-          right = right || (w.x0 <= x && x < w.x1);
-        }
-      }
-      const int arms = (up ? 1 : 0) + (down ? 1 : 0) + (left ? 1 : 0) + (right ? 1 : 0);
-      const bool isNew =
-          std::ranges::none_of(picture_.dots, [&](const PictureDot& dot) { return dot.x == x && dot.y == row; });
-      if (arms > 2 && isNew) picture_.dots.push_back({x, row, node(net).output});
+  /// How many lines meet at a point of a vertical wire, of the wires in its column and in its row.
+  static int armsAt(int x, int row, std::span<const PictureWire* const> upright,
+                    std::span<const PictureWire* const> level) {
+    bool up = false, down = false, left = false, right = false;
+    for (const PictureWire* w : upright) {
+      up = up || (w->y0 < row && row <= w->y1);
+      down = down || (w->y0 <= row && row < w->y1);
     }
+    for (const PictureWire* w : level) {
+      left = left || (w->x0 < x && x <= w->x1);
+      right = right || (w->x0 <= x && x < w->x1);
+    }
+    return (up ? 1 : 0) + (down ? 1 : 0) + (left ? 1 : 0) + (right ? 1 : 0);
   }
 
   const std::vector<PlanNode>& nodes_;
@@ -377,11 +404,12 @@ class Placement {
   int usual_;
   std::vector<Spot> spots_;
   std::vector<int> uses_;
+  std::vector<std::vector<int>> joins_;  ///< that a node feeds
   int columns_ = 0;
   bool hasCoils_ = false;
-  std::vector<int> low_;                   ///< by slot: first free row. Slot 2 b is border b, slot 2 c + 1 is column c
-  std::vector<int> owner_;                 ///< by slot: net of the lowest thing in it
-  std::vector<std::vector<Taken>> taken_;  ///< by border
+  std::vector<int> low_;    ///< by slot: first free row. Slot 2 b is border b, slot 2 c + 1 is column c
+  std::vector<int> owner_;  ///< by slot: net of the lowest thing in it
+  std::vector<Border> taken_;
   std::vector<int> width_;
   std::vector<int> lead_;  ///< by column: from its left end to the boxes in it
   std::vector<int> border_;
