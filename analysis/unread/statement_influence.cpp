@@ -4,135 +4,17 @@
 #include <algorithm>
 #include <set>
 
+#include "analysis/unread/register_use.hpp"
 #include "ir/block_map.hpp"
 #include "ir/s7300/block.hpp"
+#include "ir/s7300/pointer_parameter.hpp"
 #include "ir/s7300/statement_role.hpp"
 
 namespace rungproof {
 
+using namespace registers;
+
 namespace {
-
-using Mask = std::uint16_t;
-/// RLO with STA, OR and the nesting stack; BR; CC1, CC0, OV, OS; the accumulators; the rest by their names.
-constexpr Mask rlo = 1, br = 2, result = 4, accu1 = 8, accu2 = 16, furtherAccus = 32, ar1 = 64, ar2 = 128, db = 256,
-               di = 512, all = 1023, accus = accu1 | accu2 | furtherAccus;
-
-/// What a statement takes from registers and what it leaves there; `set`: whatever stood there before.
-struct RegisterUse {
-  Mask reads = 0, writes = 0, set = 0;
-};
-
-RegisterUse useOfRole(const Instruction& instruction, bool goesOn) {
-  const StatementRole role = statementRole(instruction);
-  const bool hasOperand = !instruction.operands.empty();
-  const Mask string = goesOn ? rlo : 0;
-  switch (role) {
-    case StatementRole::AndScan:
-    case StatementRole::OrScan:
-    case StatementRole::XorScan: {
-      const bool isOfStatus = hasOperand && instruction.operands[0].kind == OperandKind::Constant;
-      const Mask status = isOfStatus ? br | result : 0;
-      return {static_cast<Mask>(string | status), rlo, static_cast<Mask>(goesOn ? 0 : rlo)};
-    }
-    case StatementRole::Open: return {string, rlo, 0};
-    case StatementRole::OrOfAnds:
-    case StatementRole::Close:
-    case StatementRole::Edge:
-    case StatementRole::Negate: return {rlo, rlo, 0};
-    case StatementRole::SetRlo:
-    case StatementRole::ClearRlo: return {0, rlo, rlo};
-    case StatementRole::Save: return {rlo, br, br};
-    case StatementRole::Compare:
-    case StatementRole::CompareRealEqual: return {accu1 | accu2, rlo | result, rlo};
-    case StatementRole::Assign:
-    case StatementRole::Latch:
-    case StatementRole::ResetTimer:
-    case StatementRole::FreeTimer:
-    case StatementRole::CountUp:
-    case StatementRole::CountDown:
-    case StatementRole::ResetCounter:
-    case StatementRole::FreeCounter: return {rlo, 0, 0};
-    case StatementRole::StartTimer:
-    case StatementRole::SetCounter: return {rlo | accu1, 0, 0};
-    case StatementRole::JumpByRlo:
-    case StatementRole::EndByRlo: return {rlo, rlo, rlo};
-    case StatementRole::JumpKeepingRlo: return {rlo, rlo | br, rlo | br};
-    case StatementRole::JumpByBr: return {br, 0, 0};
-    case StatementRole::JumpByResult: return {result, result, 0};
-    case StatementRole::Loop: return {accu1, accu1, accu1};
-    case StatementRole::Distributor: return {accu1, 0, 0};
-    case StatementRole::Call: return {0, all, 0};
-    case StatementRole::CallByRlo: return {rlo, all, 0};
-    case StatementRole::Load: return {0, accu1 | accu2, accu1};
-    case StatementRole::Transfer: return {accu1, 0, 0};
-    case StatementRole::TransferStatus: return {accu1, rlo | br | result, rlo | br | result};
-    case StatementRole::LoadAr1: return {static_cast<Mask>(hasOperand ? 0 : accu1), ar1, ar1};
-    case StatementRole::LoadAr2: return {static_cast<Mask>(hasOperand ? 0 : accu1), ar2, ar2};
-    case StatementRole::StoreAr1: return {ar1, static_cast<Mask>(hasOperand ? 0 : accus), 0};
-    case StatementRole::StoreAr2: return {ar2, static_cast<Mask>(hasOperand ? 0 : accus), 0};
-    case StatementRole::Ar2ToAr1: return {ar2, ar1, ar1};
-    case StatementRole::Ar1ToAr2: return {ar1, ar2, ar2};
-    case StatementRole::ExchangeAr: return {ar1 | ar2, ar1 | ar2, 0};
-    case StatementRole::MoveAr1: return {static_cast<Mask>(hasOperand ? ar1 : ar1 | accu1), ar1, 0};
-    case StatementRole::MoveAr2: return {static_cast<Mask>(hasOperand ? ar2 : ar2 | accu1), ar2, 0};
-    case StatementRole::OpenBlock: {
-      const Operand& block = instruction.operands[0];
-      const Mask opened = block.reach != nullptr && block.reach->inDi ? di : db;
-      return {0, opened, opened};
-    }
-    case StatementRole::ExchangeBlocks: return {db | di, db | di, 0};
-    case StatementRole::FromBcd:
-    case StatementRole::IntegerStep: return {accu1, accu1, 0};
-    case StatementRole::IntegerMath:
-    case StatementRole::RealMath: return {accus, accus | result, 0};
-    case StatementRole::MoveAccus: return {accus, accus, 0};
-    case StatementRole::JumpAlways:
-    case StatementRole::End:
-    case StatementRole::OpenRelay:
-    case StatementRole::CloseRelay:
-    case StatementRole::Relay:
-    case StatementRole::Nothing: return {};
-    case StatementRole::Other: break;
-  }
-  if (instruction.desc->control == Control::LabelMark) return {};
-  if (loadsElement(instruction)) return {0, accu1 | accu2, accu1};
-  if (loadsStatus(instruction)) return {rlo | br | result, accus, 0};
-  if (loadsBlockFact(instruction)) return {db | di, accus, 0};
-  return {accus | result, accus | result, 0};
-}
-
-/// What the places of the operands take from registers, and the block that a full address opens (002:640-653).
-void addPlaces(const Instruction& instruction, RegisterUse& use) {
-  const bool isCall = instruction.desc->control == Control::BlockCall;
-  const bool opens = statementRole(instruction) == StatementRole::OpenBlock;
-  const auto add = [&](const Operand& operand) {
-    const Mask open = operand.reach != nullptr && operand.reach->inDi ? di : db;
-    const Mask ofArea = operand.area == Area::DB ? open : 0;
-    if (operand.reach == nullptr) {
-      if (operand.area == Area::DB && operand.isMemory() && !opens) use.writes |= db;
-      if (operand.area == Area::DB && operand.isMemory() && !opens && !isCall) use.set |= db;
-      return;
-    }
-    switch (operand.reach->way) {
-      case Way::OpenBlock: use.reads |= opens ? Mask{0} : open; return;
-      case Way::Instance: use.reads |= di | ar2; return;
-      case Way::Pointer: use.reads |= opens ? Mask{0} : ofArea; return;
-      case Way::Register: use.reads |= ofArea | (operand.reach->byAr2 ? ar2 : ar1); return;
-      case Way::Crossing: use.reads |= db | di | (operand.reach->byAr2 ? ar2 : ar1); return;
-      default: return;
-    }
-  };
-  for (const Operand& operand : instruction.operands) {
-    add(operand);
-    if (operand.reach != nullptr) add(operand.reach->pointer);
-  }
-}
-
-RegisterUse useOf(const Instruction& instruction, bool goesOn) {
-  RegisterUse use = useOfRole(instruction, goesOn);
-  addPlaces(instruction, use);
-  return use;
-}
 
 /// Blocks of the CPU that do nothing but what their parameters say.
 bool staysWithinParameters(const Pou& callee) {
@@ -293,6 +175,53 @@ void StatementInfluence::call(std::uint32_t block, const Instruction& instructio
     addDataBlock(blockOfByte(instance.offset), cause);
   else
     write(block, {Reached::Kind::AllData, {}, 0}, cause);
+}
+
+/// Where `bits` of an instance lie, from bit `first` of it on.
+std::vector<Reached> StatementInfluence::inInstance(std::uint32_t block, const Operand& instance, std::uint32_t first,
+                                                    std::uint32_t bits) const {
+  if (instance.kind == OperandKind::Direct) {
+    const std::uint32_t start = dataByte(blockOfByte(instance.offset), byteInBlock(instance.offset)) * 8;
+    return {{Reached::Kind::Row, {Area::DB, start + first, bits}, 0}};
+  }
+  std::vector<Reached> places;
+  for (const auto& [number, isWhole] : blocks_[block].instances) {
+    const PlaceRow row{Area::DB, dataByte(number, instance.offset) * 8 + first, bits};
+    places.push_back(isWhole ? Reached{Reached::Kind::Row, row, 0} : Reached{Reached::Kind::Data, {}, number});
+  }
+  return places;
+}
+
+/// What a call that runs as it is written copies from the instance of an FB to its actual parameters. The system's own
+/// FBs work on the whole instance.
+void StatementInfluence::copyOut(std::uint32_t block, std::uint32_t at) {
+  const FlowStep& here = step(block, at);
+  const Instruction& call = *here.instruction;
+  if (someData_ == none || call.desc->control != Control::BlockCall || call.operands.size() < 2) return;
+  eachCallee(block, call, [&](std::uint32_t called) {
+    const Pou& callee = facts_.program().pous[called];
+    if (!hasInstance(callee)) return;
+    const auto causeIn = [&](std::uint32_t first, std::uint32_t bits) {
+      for (const Reached& place : inInstance(block, call.operands[1], first, bits)) {
+        if (const std::uint32_t cause = causeOf(block, place); cause != none) return cause;
+      }
+      return none;
+    };
+    std::size_t operand = 1;
+    for (const LocalVariable& local : callee.locals) {
+      if (local.section == VarSection::Temp) continue;
+      const bool isGiven = isParameter(local) && ++operand < call.operands.size();
+      const PlaceRow member = rowOf(local.address);
+      const std::uint32_t cause = causeIn(member.first, std::max(local.size * 8, 1U));
+      if (cause == none) continue;
+      if (callee.networks.empty() || callee.protectedBlock) return influence(block, here.network, cause);
+      if (!isGiven || local.section == VarSection::Input) continue;
+      for (const Access& access : facts_.accesses().of(call.id)) {
+        if (access.operand != operand || (!access.write && !access.maybe)) continue;
+        for (const Reached& place : reached(block, at, access)) write(block, place, cause);
+      }
+    }
+  });
 }
 
 /// Where the access may lie.
@@ -480,7 +409,7 @@ void StatementInfluence::apply(std::uint32_t block, std::uint32_t at, Registers&
   const FlowStep& here = step(block, at);
   const std::uint32_t cause = blocks_[block].parts[here.network].cause;
   const std::optional<LogicState>& logic = blocks_[block].logic[at];
-  const RegisterUse use = useOf(*here.instruction, !logic || (logic->firstCheck & mayBe1) != 0);
+  const RegisterUse use = registerUse(*here.instruction, !logic || (logic->firstCheck & mayBe1) != 0);
   const bool isLoad = statementRole(*here.instruction) == StatementRole::Load || loadsElement(*here.instruction);
   const bool movesTaint = isLoad && (registers.mask & accu1) != 0;
   if (cause != none) {
@@ -508,7 +437,7 @@ void StatementInfluence::passRegisters(std::uint32_t block) {
     if (!states[at] || states[at]->mask == 0) continue;
     const FlowStep& here = flow.steps[at];
     const std::optional<LogicState>& logic = blocks_[block].logic[at];
-    const RegisterUse use = useOf(*here.instruction, !logic || (logic->firstCheck & mayBe1) != 0);
+    const RegisterUse use = registerUse(*here.instruction, !logic || (logic->firstCheck & mayBe1) != 0);
     if ((use.reads & states[at]->mask) != 0) influence(block, here.network, states[at]->cause);
     if (here.instruction->desc->control != Control::BlockCall) continue;
     eachCallee(block, *here.instruction, [&](std::uint32_t callee) {
@@ -547,6 +476,7 @@ void StatementInfluence::spread() {
         if (blocks_[b].parts[n].cause != none) continue;
         if (const std::uint32_t cause = causeRead(b, n); cause != none) influence(b, n, cause);
       }
+      for (std::uint32_t at = 0; at < facts_.plan().flows[b].steps.size(); ++at) copyOut(b, at);
       passRegisters(b);
     }
   } while (isChanged_);

@@ -94,6 +94,9 @@ class StatementInfluence {
   std::uint32_t causeOf(std::uint32_t block, const Reached& place) const;
   bool isOwnLocal(std::uint32_t block, std::uint32_t network, std::uint32_t at, const PlaceRow& row) const;
   std::vector<Reached> reached(std::uint32_t block, std::uint32_t at, const Access& access) const;
+  std::vector<Reached> inInstance(std::uint32_t block, const Operand& instance, std::uint32_t first,
+                                  std::uint32_t bits) const;
+  void copyOut(std::uint32_t block, std::uint32_t at);
   void passRegisters(std::uint32_t block);
   void apply(std::uint32_t block, std::uint32_t at, Registers& registers) const;
   void startErrorBlocks();

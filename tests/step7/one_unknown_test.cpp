@@ -31,6 +31,8 @@ std::string fb(int number, const std::string& declarations, const std::string& s
          "\nEND_FUNCTION_BLOCK\n";
 }
 
+const std::string outputs = "VAR_OUTPUT\n q : BOOL ;\nEND_VAR\n";
+
 std::string textOf(const OneMissing& project) {
   return project.blocks + "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      A I 0.0;\n      = Q 0.0;\n" +
          "NETWORK\n      A I 0.1;\n      = Q 0.0;\n" +
@@ -83,6 +85,24 @@ std::vector<OneMissing> oneMissingProjects() {
        Need::Something},
       {"type of temporary data", fc(3, "L #t; T MW 10;", "VAR_TEMP\n x : UDT 9 ;\n t : INT ;\nEND_VAR\n"), "UC FC 3;",
        Need::Something},
+      // CALL copies from the instance what others have written into it: the block itself, one that it holds, a
+      // statement elsewhere, the start value. The system works on the whole instance.
+      {"output of an FB", fb(1, outputs, "A \"Nobody\"; = #q;") + db("DB 6\nFB 1"), "CALL FB 1, DB 6 (q := Q 1.0);",
+       Need::Something},
+      {"output of an FB behind memory", fb(1, outputs, "A M 1.0; = #q;") + db("DB 6\nFB 1"),
+       "A \"Nobody\"; = M 1.0;\nNETWORK\nCALL FB 1, DB 6 (q := Q 1.0);", Need::Something},
+      {"in out of an FB",
+       fb(1, "VAR_IN_OUT\n n : INT ;\nEND_VAR\n", "L \"Nobody\"; T #n;") + db("DB 6\nFB 1") +
+           fc(3, "CALL FB 1, DB 6 (n := MW 10);"),
+       "UC FC 3;", Need::Something},
+      {"output of an instance inside an instance",
+       fb(1, outputs, "A \"Nobody\"; = #q;") + fb(2, "VAR\n inner : FB 1 ;\nEND_VAR\n", "CALL #inner (q := Q 1.0);") +
+           db("DB 6\nFB 2"),
+       "CALL FB 2, DB 6;", Need::Something},
+      {"output with a start value of another type", fb(1, outputs, "NOP 0;") + db("DB 6\nFB 1", "q := 1.5 ;\n"),
+       "CALL FB 1, DB 6 (q := Q 1.0);", Need::Something},
+      {"time of an SFB", db("DB 6\nSFB 4"),
+       "L \"Nobody\"; T DB6.PT;\nNETWORK\nCALL SFB 4, DB 6 (IN := I 1.0, Q := Q 1.0);", Need::Something},
       // In blocks that nothing calls.
       {"missing block, called by nobody", fc(3, "CALL FC 99;"), "", Need::Nothing},
       {"unknown instruction, run by nobody", fc(3, "FROB I 0.0;"), "", Need::Nothing},
