@@ -38,6 +38,24 @@ std::size_t letterCount(std::string_view text) {
 
 bool beginsBeyondAscii(std::string_view text) { return !text.empty() && static_cast<unsigned char>(text[0]) >= 0x80; }
 
+/// V0.1, *VD10, T37: an address of some kind, whether or not the CPU has it.
+bool looksLikeAddress(std::string_view word) {
+  if (!word.empty() && (word[0] == '*' || word[0] == '&')) word.remove_prefix(1);
+  constexpr std::size_t mostLetters = 3;
+  const std::size_t letters = letterCount(word);
+  const auto isOfNumber = [](char c) { return isDigit(c) || c == '.'; };
+  return letters > 0 && letters <= mostLetters && letters < word.size() && isDigit(word[letters]) &&
+         std::ranges::all_of(word.substr(letters), isOfNumber);
+}
+
+/// What may be a mnemonic of another language: up to three letters of Cyrillic or Greek, or and, or, not in Chinese.
+bool mayBeForeignMnemonic(std::string_view word) {
+  constexpr std::size_t bytesOfThree = 6;
+  const bool isOfCharacters = static_cast<unsigned char>(word[0]) >= 0xE0;
+  return isOfCharacters ? word == "\xE4\xB8\x8E" || word == "\xE6\x88\x96" || word == "\xE9\x9D\x9E"
+                        : word.size() <= bytesOfThree;
+}
+
 bool isRoutine(Type type) { return type == Type::Subroutine || type == Type::Interrupt || type == Type::Label; }
 
 }  // namespace
@@ -52,7 +70,11 @@ const MnemonicResult& StatementReader::mnemonicOf(std::string_view word) {
 StatementKind StatementReader::unknown(const Line& line) {
   const std::string_view word = slice(line.words[0].begin, line.words[0].end);
   const Span place = sink_.span(line.begin, line.end);
-  if (beginsBeyondAscii(word)) {
+  const bool isStatement = line.words.size() > 1 && beginsBeyondAscii(word) && mayBeForeignMnemonic(word) &&
+                           std::ranges::all_of(line.words.begin() + 1, line.words.end(), [&](const Word& operand) {
+                             return looksLikeAddress(slice(operand.begin, operand.end));
+                           });
+  if (beginsBeyondAscii(word) && !isStatement) {
     sink_.report(
         Syntax::StrayText, place,
         fmt::format("\"{}\" has no comment sign and was read as a comment", excerpt(slice(line.begin, line.end))));

@@ -179,6 +179,17 @@ TEST(Statement, CommentsThatLostTheirSign) {
   });
 }
 
+// A word as short as a mnemonic with nothing but addresses behind it is no sentence: a Russian or Chinese "and".
+TEST(Statement, MnemonicsOfAnotherLanguageAreNoComments) {
+  check({
+      {"\xD0\x98 I0.1", "", "SYN010<\xD0\x98>"},
+      {"\xD0\x98\xD0\x9B\xD0\x98 *VD10", "", "SYN010<\xD0\x98\xD0\x9B\xD0\x98>"},
+      {"\xE4\xB8\x8E T37", "", "SYN010<\xE4\xB8\x8E>"},
+      {"NOT\n\xD0\x98 \xD1\x81\xD1\x82\xD0\xBE\xD0\xBF", "NOT", "SYN015<\xD0\x98 \xD1\x81\xD1\x82\xD0\xBE\xD0\xBF>"},
+      {"NOT\n\xE4\xB8\x8E 1", "NOT", "SYN015<\xE4\xB8\x8E 1>"},
+  });
+}
+
 TEST(Statement, SuggestsTheNearestMnemonic) {
   EXPECT_NE(readLines("MOBW 1, VW0").findings[0].message.find("MOVW"), std::string::npos);
   EXPECT_NE(readLines("RNTI").findings[0].message.find("RETI"), std::string::npos);
