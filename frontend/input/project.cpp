@@ -295,11 +295,21 @@ std::vector<std::string> textsBeside(const std::vector<std::string>& files) {
   return found;
 }
 
+/// A table that stands among the files and in the configuration is read once, as the table that it is.
+bool isNamedAsSymbols(const std::string& file, const ReadOptions& options) {
+  return std::ranges::any_of(options.symbolFiles, [&](const std::string& symbols) {
+    std::error_code error;
+    return symbols == file || std::filesystem::equivalent(symbols, file, error);
+  });
+}
+
 }  // namespace
 
 Program readProgram(const std::vector<std::string>& files, const ReadOptions& options) {
   ProjectReader reader(options);
-  for (const std::string& file : files) reader.addFile(file, false);
+  for (const std::string& file : files) {
+    if (!isNamedAsSymbols(file, options)) reader.addFile(file, false);
+  }
   for (const std::string& file : textsBeside(files)) reader.addFile(file, false);
   for (const std::string& file : options.symbolFiles) reader.addFile(file, true);
   return reader.finish();

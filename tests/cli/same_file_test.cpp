@@ -30,5 +30,21 @@ TEST(SameFile, IsReadOnce) {
   }
 }
 
+// The same of a table of symbols that the configuration names and the folder holds.
+TEST(SameFile, ATableOfSymbolsIsReadOnce) {
+  const test::TemporaryFolder folder;
+  folder.file("rungproof.toml", "symbols = [\"sym.csv\"]\n");
+  const std::string table = folder.file("sym.csv", "Symbol,Address,Comment\nStart,I0.0,\nPump,Q0.0,\n");
+  const std::string program = folder.file("a.awl", mainBlock("Network 1\nLD \"Start\"\n= \"Pump\"\n"));
+  for (const std::vector<std::string>& files :
+       {std::vector{folder.path("")}, std::vector{program, table}, std::vector{program}}) {
+    std::vector<std::string> arguments{"lint"};
+    arguments.insert(arguments.end(), files.begin(), files.end());
+    const ProgramRun lint = run(arguments);
+    EXPECT_EQ(lint.exit, 0) << lint.out << lint.err;
+    EXPECT_FALSE(lint.says("SYM002")) << lint.out;
+  }
+}
+
 }  // namespace
 }  // namespace rungproof
