@@ -100,7 +100,7 @@ bool looksLikeScl(std::string_view text, bool isNamed) {
   const Step7Likeness likeness = step7Likeness(text);
   // Data blocks and types alone, too.
   if (isNamed && (likeness.hasHeading || text.find("END_DATA_BLOCK") != std::string_view::npos)) return true;
-  if (!likeness.isStructuredText()) return false;
+  if (!isNamed && !likeness.isStructuredText()) return false;
   const std::vector<SclBlock> bodies = SclBlocks(text, 0).find();
   return !bodies.empty() && (isNamed || std::ranges::any_of(bodies, &SclBlock::hasBegin));
 }

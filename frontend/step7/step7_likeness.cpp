@@ -146,6 +146,17 @@ class EvidenceReader {
     }
   }
 
+  /// name := value is no statement of a list. A parameter of a call stands in parentheses, or before one that closes.
+  static bool isAssignment(std::string_view text) {
+    int open = 0;
+    bool assigns = false;
+    for (std::size_t at = 0; at < text.size() && open >= 0; ++at) {
+      open += text[at] == '(' ? 1 : text[at] == ')' ? -1 : 0;
+      assigns = assigns || (open == 0 && text.substr(at, 2) == ":=");
+    }
+    return assigns && open == 0;
+  }
+
   void statement(std::string_view text, bool isEnded) {
     if (text.empty()) return;
     // A label in front.
@@ -154,9 +165,7 @@ class EvidenceReader {
       text = trimmed(text.substr(colon + 1));
     if (text.empty()) return;
     ++found_.statements;
-    // name := value; is no statement of a list, and the last parameter of a call ends with its parenthesis.
-    if (isCode_ && isEnded && !text.ends_with(')') && text.find(":=") != std::string_view::npos &&
-        !equalsWord(text.substr(0, wordLength(text)), "CALL")) {
+    if (isCode_ && isEnded && isAssignment(text) && !equalsWord(text.substr(0, wordLength(text)), "CALL")) {
       ++found_.assignments;
       return;
     }

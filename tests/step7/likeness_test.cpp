@@ -35,6 +35,21 @@ TEST(Likeness, StructuredTextIsNoStatementList) {
   EXPECT_FALSE(step7Likeness("DATA_BLOCK \"d\"\nBEGIN\n b := 1;\nEND_DATA_BLOCK\n").isStructuredText());
 }
 
+// The ending of the file says so, whatever its statements end with; without it an assignment does.
+TEST(Likeness, AFileOfStructuredTextIsNoStatementList) {
+  const auto of = [](const std::string& statements) {
+    return "ORGANIZATION_BLOCK OB1\nVAR_TEMP\n w : WORD;\nEND_VAR\nBEGIN\n" + statements + "\nEND_ORGANIZATION_BLOCK\n";
+  };
+  for (const char* statements : {"Q0.0 := NOT (I0.0 AND I0.1);", "w := SHL(IN := W#16#5, N := 3);", "RETURN;"}) {
+    const Program program = readText("ob1.scl", of(statements));
+    EXPECT_TRUE(program.findings.empty()) << statements << ": " << program.findings[0].message;
+    ASSERT_FALSE(program.pous.empty()) << statements;
+    EXPECT_FALSE(program.pous[0].networks.empty()) << statements;
+  }
+  EXPECT_TRUE(step7Likeness(of("Q0.0 := NOT (I0.0 AND I0.1);")).isStructuredText());
+  EXPECT_FALSE(step7Likeness(of("CALL FC 1 (\n a := I 0.0,\n b := I 0.1);")).isStructuredText());
+}
+
 TEST(Likeness, ATieIsAnErrorThatNamesTheOptions) {
   const Program program = readText("x.awl", "LD I0.0\nL MW 10\n");
   ASSERT_EQ(program.findings.size(), 1u);
