@@ -31,6 +31,7 @@ void checkOut002(const Facts& facts, FindingSink& sink) {
     for (const std::uint32_t i : writers) {
       const Access& access = facts.access(i);
       if (access.area == Area::L) break;
+      if (facts.calls().isStartUpOnly(facts.blockOf(access.instruction))) continue;  // before the first scan
       if (coil == nullptr && isCoil(roleOf(facts.instruction(access.instruction))))
         coil = &facts.instruction(access.instruction);
     }

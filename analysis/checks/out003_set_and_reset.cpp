@@ -10,6 +10,7 @@
 #include <span>
 
 #include "analysis/asking/asking.hpp"
+#include "analysis/flow/call_graph.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -20,12 +21,42 @@ bool isLatchOrCoil(const Instruction& instruction) {
   return isCoil(roleOf(instruction)) || isLatch(roleOf(instruction));
 }
 
-bool isInInterrupt(const EncodedScan& encoding, const Instruction& instruction) {
-  return std::ranges::any_of(encoding.plan().flows, [&](const Flow& flow) {
-    return flow.pou->kind == PouKind::Interrupt && !flow.steps.empty() && flow.steps.front().id() <= instruction.id &&
-           instruction.id <= flow.steps.back().id();
-  });
-}
+/// When instructions run: in an interrupt, which comes anywhere, or in the start-up, which ends before the first scan
+/// (002:1367-1375).
+class Moments {
+ public:
+  explicit Moments(Asking& asking) {
+    const Plan& plan = asking.encoding().plan();
+    const CallGraph calls(asking.program(), plan);
+    for (std::uint32_t block = 0; block < plan.flows.size(); ++block) {
+      const Flow& flow = plan.flows[block];
+      const bool isInterrupt = flow.pou->kind == PouKind::Interrupt, isStartUp = calls.isStartUpOnly(block);
+      if (flow.steps.empty() || !(isInterrupt || isStartUp)) continue;
+      parts_.push_back({flow.steps.front().id(), flow.steps.back().id(), isInterrupt, isStartUp});
+    }
+  }
+  bool isInInterrupt(const Instruction& instruction) const {
+    const Part* part = partOf(instruction);
+    return part != nullptr && part->isInterrupt;
+  }
+  bool isInStartUp(const Instruction& instruction) const {
+    const Part* part = partOf(instruction);
+    return part != nullptr && part->isStartUp;
+  }
+
+ private:
+  struct Part {
+    std::uint32_t first, last;  ///< Instruction::id
+    bool isInterrupt, isStartUp;
+  };
+  const Part* partOf(const Instruction& instruction) const {
+    const auto found = std::ranges::find_if(
+        parts_, [&](const Part& part) { return part.first <= instruction.id && instruction.id <= part.last; });
+    return found == parts_.end() ? nullptr : &*found;
+  }
+
+  std::vector<Part> parts_;
+};
 
 bool isRowReset(const Instruction& reset) {
   if (!isReset(roleOf(reset)) || reset.operands.size() < 2) return false;
@@ -33,15 +64,15 @@ bool isRowReset(const Instruction& reset) {
 }
 
 /// A reset of several bits behind their coils switches them off in general; OUT005 recommends it.
-bool isSwitchOff(const EncodedScan& encoding, const BitWrite& a, const BitWrite& b) {
+bool isSwitchOff(const Moments& moments, const BitWrite& a, const BitWrite& b) {
   const Instruction& reset = *b.instruction;
-  return isCoil(roleOf(*a.instruction)) && isRowReset(reset) && !isInInterrupt(encoding, *a.instruction) &&
-         !isInInterrupt(encoding, reset);
+  return isCoil(roleOf(*a.instruction)) && isRowReset(reset) && !moments.isInInterrupt(*a.instruction) &&
+         !moments.isInInterrupt(reset);
 }
 
 /// Whether a reset runs last: what it switches off stays off, whatever sets it. An interrupt comes anywhere.
-bool isResetLast(const EncodedScan& encoding, const Instruction& first, const Instruction& last) {
-  return isReset(roleOf(last)) && !isInInterrupt(encoding, first) && !isInInterrupt(encoding, last);
+bool isResetLast(const Moments& moments, const Instruction& first, const Instruction& last) {
+  return isReset(roleOf(last)) && !moments.isInInterrupt(first) && !moments.isInInterrupt(last);
 }
 
 /// Whether `//@ reset dominant Q0.0, Motor` names the bit.
@@ -54,9 +85,9 @@ bool isStatedResetDominant(std::span<const Operand> stated, const Place& place) 
 using ConflictPairs = std::map<std::pair<const Instruction*, const Instruction*>, Node>;
 
 /// `a` runs before `b`. The same instruction met twice does not count.
-void addConflict(Asking& asking, const BitWrite& a, const BitWrite& b, ConflictPairs& pairs) {
+void addConflict(Asking& asking, const Moments& moments, const BitWrite& a, const BitWrite& b, ConflictPairs& pairs) {
   if (a.instruction == b.instruction || (!isLatch(roleOf(*a.instruction)) && !isLatch(roleOf(*b.instruction)))) return;
-  if (isSwitchOff(asking.encoding(), a, b)) return;
+  if (isSwitchOff(moments, a, b) || moments.isInStartUp(*a.instruction) != moments.isInStartUp(*b.instruction)) return;
   Graph& graph = asking.graph();
   const Graph::Bool both = graph.land(graph.land({a.guard}, {b.guard}), graph.lxor({a.value}, {b.value}));
   if (const auto known = graph.truth(both); known && !*known) return;
@@ -86,7 +117,7 @@ constexpr std::size_t mostPaired = 12;
 
 /// Instructions that write to one bit in front of another one and are judged alike.
 struct EarlierWrites {
-  bool isCoil = false, isInterrupt = false;
+  bool isCoil = false, isInterrupt = false, isStartUp = false;
   std::array<Node, 2> wrote{};             ///< whether one has written 0, 1
   std::array<const Instruction*, 2> by{};  ///< the first that may have
   std::array<std::size_t, 2> writers{};    ///< how many may have
@@ -100,18 +131,21 @@ bool isOfConstants(const Graph& graph, std::span<const BitWrite* const> list) {
 }
 
 /// As addConflict for each pair of the list, in as many questions as it has writers.
-void addJoined(Asking& asking, std::span<const BitWrite* const> list, bool isStated, ConflictQuestions& conflicts) {
+void addJoined(Asking& asking, const Moments& moments, std::span<const BitWrite* const> list, bool isStated,
+               ConflictQuestions& conflicts) {
   Graph& graph = asking.graph();
   std::vector<EarlierWrites> earlier;
-  for (const bool isCoil : {false, true}) {
-    for (const bool isInterrupt : {false, true}) {
-      const Node none = graph.constant(false).node;
-      earlier.push_back({isCoil, isInterrupt, {none, none}, {}});
+  const auto alike = [&](bool isCoil, bool isInterrupt, bool isStartUp) -> EarlierWrites& {
+    for (EarlierWrites& one : earlier) {
+      if (one.isCoil == isCoil && one.isInterrupt == isInterrupt && one.isStartUp == isStartUp) return one;
     }
-  }
+    const Node none = graph.constant(false).node;
+    return earlier.emplace_back(EarlierWrites{isCoil, isInterrupt, isStartUp, {none, none}, {}});
+  };
   for (const BitWrite* write : list) {
     const Instruction& last = *write->instruction;
-    const bool isCoil = !isLatch(roleOf(last)), isInterrupt = isInInterrupt(asking.encoding(), last);
+    const bool isCoil = !isLatch(roleOf(last)), isInterrupt = moments.isInInterrupt(last),
+               isStartUp = moments.isInStartUp(last);
     const std::array<Graph::Bool, 2> writes = {graph.land({write->guard}, graph.lnot({write->value})),
                                                graph.land({write->guard}, {write->value})};
     for (const bool resetWins : {false, true}) {
@@ -121,7 +155,7 @@ void addJoined(Asking& asking, std::span<const BitWrite* const> list, bool isSta
       for (const EarlierWrites& one : earlier) {
         const bool isSwitchOff = isRowReset(last) && one.isCoil && !one.isInterrupt && !isInterrupt;
         const bool isLast = isReset(roleOf(last)) && !one.isInterrupt && !isInterrupt;
-        if ((isCoil && one.isCoil) || isSwitchOff || isLast != resetWins) continue;
+        if ((isCoil && one.isCoil) || one.isStartUp != isStartUp || isSwitchOff || isLast != resetWins) continue;
         for (const std::size_t value : {0U, 1U}) {
           const Graph::Bool both = graph.land(writes[1 - value], {one.wrote[value]});
           if (one.by[value] == nullptr || graph.truth(both) == false) continue;
@@ -133,7 +167,7 @@ void addJoined(Asking& asking, std::span<const BitWrite* const> list, bool isSta
       if (writers > 0 && graph.truth(bad) != false && !(resetWins && isStated))
         addQuestion(conflicts, writers == 1 ? first : nullptr, &last, bad.node, resetWins, write->place);
     }
-    EarlierWrites& own = earlier[(isCoil ? 2U : 0U) + (isInterrupt ? 1U : 0U)];
+    EarlierWrites& own = alike(isCoil, isInterrupt, isStartUp);
     for (const std::size_t value : {0U, 1U}) {
       if (graph.truth(writes[value]) == false) continue;
       own.wrote[value] = graph.lor({own.wrote[value]}, writes[value]).node;
@@ -155,21 +189,22 @@ void askOut003(Asking& asking) {
   for (const BitWrite& write : asking.encoding().bitWrites()) {
     if (write.instruction != nullptr && isLatchOrCoil(*write.instruction)) writes[write.place].push_back(&write);
   }
+  const Moments moments(asking);
   ConflictQuestions conflicts;
   for (const auto& [place, list] : writes) {
     const auto isByLatch = [](const BitWrite* write) { return isLatch(roleOf(*write->instruction)); };
     if (std::ranges::none_of(list, isByLatch)) continue;  // thousands of coils on one bit are as many pairs squared
     const bool isStated = isStatedResetDominant(asking.properties().resetDominant, place);
     if (list.size() > mostPaired && isOfConstants(asking.graph(), list)) {
-      addJoined(asking, list, isStated, conflicts);
+      addJoined(asking, moments, list, isStated, conflicts);
       continue;
     }
     ConflictPairs pairs;
     for (std::size_t i = 0; i < list.size(); ++i) {
-      for (std::size_t k = i + 1; k < list.size(); ++k) addConflict(asking, *list[i], *list[k], pairs);
+      for (std::size_t k = i + 1; k < list.size(); ++k) addConflict(asking, moments, *list[i], *list[k], pairs);
     }
     for (const auto& [pair, bad] : pairs) {
-      const bool resetWins = isResetLast(asking.encoding(), *pair.first, *pair.second);
+      const bool resetWins = isResetLast(moments, *pair.first, *pair.second);
       if (!(resetWins && isStated)) addQuestion(conflicts, pair.first, pair.second, bad, resetWins, place);
     }
   }

@@ -23,7 +23,10 @@ TEST(CarriedRules, CoilsAndLatches) {
   expectFindings("OUT002", {{"= and S", 1, ob1("A I 0.0;\n= Q 0.0;\nA I 0.1;\nS Q 0.0;")},
                             {"= and R", 1, ob1("A I 0.0;\n= Q 0.0;\nA I 0.1;\nR Q 0.0;")},
                             {"S and R", 0, ob1("A I 0.0;\nS Q 0.0;\nA I 0.1;\nR Q 0.0;")},
-                            {"R in the start-up", 0, startUp + ob1("A I 0.0;\n= Q 0.0;")}});
+                            {"R in the start-up", 0, startUp + ob1("A I 0.0;\n= Q 0.0;")},
+                            {"a first value in the start-up", 0,
+                             "ORGANIZATION_BLOCK OB 100\nBEGIN\nNETWORK\nCLR;\n= Q 0.0;\nEND_ORGANIZATION_BLOCK\n" +
+                                 ob1("A I 0.0;\nS Q 0.0;\nA I 0.1;\nR Q 0.0;")}});
   expectFindings("OUT004", {{"S alone", 1, ob1("A I 0.0;\nS Q 0.0;")},
                             {"R alone", 1, ob1("A I 0.0;\nR Q 0.0;")},
                             {"S and R", 0, ob1("A I 0.0;\nS Q 0.0;\nA I 0.1;\nR Q 0.0;")},
