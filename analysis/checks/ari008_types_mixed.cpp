@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/flow/declared_value.hpp"
 #include "analysis/flow/statement_paths.hpp"
 #include "analysis/flow/step7_blocks.hpp"
 #include "analysis/rule.hpp"
@@ -130,19 +131,19 @@ void checkRungs(const Facts& facts, FindingSink& sink) {
 
 enum class NumberKind : std::uint8_t { Unknown, Whole, Real, S5Time, Time };
 
-NumberKind numberKindOf(DataType type) {
+NumberKind numberKindOf(s7300::TypeKind type) {
   switch (type) {
-    case DataType::Int:
-    case DataType::DInt: return NumberKind::Whole;
-    case DataType::Real: return NumberKind::Real;
-    case DataType::S5Time: return NumberKind::S5Time;
-    case DataType::Time: return NumberKind::Time;
+    case s7300::TypeKind::Int:
+    case s7300::TypeKind::DInt: return NumberKind::Whole;
+    case s7300::TypeKind::Real: return NumberKind::Real;
+    case s7300::TypeKind::S5Time: return NumberKind::S5Time;
+    case s7300::TypeKind::Time: return NumberKind::Time;
     default: return NumberKind::Unknown;
   }
 }
 
-/// Of a constant by its spelling, of a parameter or a variable of the block by its declaration.
-NumberKind numberKindOf(const Flow& flow, const Operand& operand) {
+/// Of a constant by its spelling, of what has a declaration by that.
+NumberKind numberKindOf(const Facts& facts, const Flow& flow, const Operand& operand) {
   const std::string_view text = operand.text;
   if (operand.kind == OperandKind::Constant) {
     const auto begins = [&](std::string_view prefix) {
@@ -160,10 +161,7 @@ NumberKind numberKindOf(const Flow& flow, const Operand& operand) {
     });
     return isPlain ? NumberKind::Whole : NumberKind::Unknown;
   }
-  if (!text.starts_with('#')) return NumberKind::Unknown;
-  const auto local =
-      std::ranges::find_if(flow.pou->locals, [&](const LocalVariable& each) { return text.substr(1) == each.name; });
-  return local == flow.pou->locals.end() ? NumberKind::Unknown : numberKindOf(local->type);
+  return numberKindOf(declaredTypeOf(facts, flow, operand));
 }
 
 std::string_view numberKindName(NumberKind kind) {
@@ -211,7 +209,7 @@ class StatementNumbers {
     const LoadsBefore loads = loadsBefore(flow_, at);
     for (const Instruction* load : {isPair ? loads.accu2 : nullptr, loads.accu1}) {
       if (load == nullptr || load->operands.empty()) continue;
-      const NumberKind kind = numberKindOf(flow_, load->operands[0]);
+      const NumberKind kind = numberKindOf(facts_, flow_, load->operands[0]);
       if (const auto wanted = kindWantedBy(instruction, kind))
         return report(instruction, *load,
                       fmt::format("{} takes {}, and {} is {}", Facts::text(instruction), numberKindName(*wanted),
@@ -221,8 +219,8 @@ class StatementNumbers {
     if (!isPair || loads.accu1 == nullptr || loads.accu2 == nullptr || loads.accu1->operands.empty() ||
         loads.accu2->operands.empty())
       return;
-    const NumberKind first = numberKindOf(flow_, loads.accu2->operands[0]),
-                     second = numberKindOf(flow_, loads.accu1->operands[0]);
+    const NumberKind first = numberKindOf(facts_, flow_, loads.accu2->operands[0]),
+                     second = numberKindOf(facts_, flow_, loads.accu1->operands[0]);
     if (!areMixedKinds(first, second)) return;
     report(instruction, *loads.accu2,
            fmt::format("{} joins {}, {}, with {}, {}", Facts::text(instruction), facts_.name(loads.accu2->operands[0]),
@@ -232,11 +230,11 @@ class StatementNumbers {
 
  private:
   void transfer(std::uint32_t at, const Instruction& instruction) {
-    const NumberKind target = numberKindOf(flow_, instruction.operands[0]);
+    const NumberKind target = numberKindOf(facts_, flow_, instruction.operands[0]);
     if (target == NumberKind::Unknown) return;
     const LoadsBefore loads = loadsBefore(flow_, at);
     if (loads.accu1 == nullptr || loads.accu1->operands.empty()) return;
-    const NumberKind source = numberKindOf(flow_, loads.accu1->operands[0]);
+    const NumberKind source = numberKindOf(facts_, flow_, loads.accu1->operands[0]);
     if (!areMixedKinds(source, target)) return;
     report(instruction, *loads.accu1,
            fmt::format("{} stores {}, {}, in {}", Facts::text(instruction), facts_.name(loads.accu1->operands[0]),
@@ -259,7 +257,7 @@ class StatementNumbers {
 
 void checkAri008(const Facts& facts, FindingSink& sink) {
   if (facts.form() != StatementForm::Accumulators) return checkRungs(facts, sink);
-  eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
+  eachReadStretch(facts, [&](std::uint32_t, const Flow& flow) {
     StatementNumbers numbers(facts, sink, flow);
     for (std::uint32_t at = 0; at < flow.steps.size(); ++at) numbers.step(at);
   });
@@ -274,8 +272,9 @@ extern constexpr Rule ari008_types_mixed = {
     .needs = Needs::Flow,
     .detects =
         "S7-200: a box that takes a REAL where a box of the same rung has just left a whole number, or the reverse; "
-        "S7-300/400: a calculation, comparison, transfer or timer start right behind the load of a constant or a "
-        "declared parameter or variable of the other type: INT or DINT with REAL, S5TIME with TIME",
+        "S7-300/400: a calculation, comparison, transfer or timer start right behind the load of a constant, a "
+        "declared parameter, variable or member of a data block of the other type: INT or DINT with REAL, S5TIME with "
+        "TIME",
     .why = "nothing converts the bits: 5 taken as a REAL is nearly 0, and S5T#2S taken as a TIME is 512 ms",
     .manual = "001:3493, 002:1951-1978, 003:1016-1043",
     .bad = "Network 1\nLD SM0.0\nITD VW0, VD4\n*R 2.0, VD4\n",

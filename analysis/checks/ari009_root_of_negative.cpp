@@ -26,7 +26,7 @@ bool isNegativeConstant(const Instruction& load) {
 }
 
 void checkAri009(const Facts& facts, FindingSink& sink) {
-  eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
+  eachReadStretch(facts, [&](std::uint32_t, const Flow& flow) {
     for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {
       const Instruction& instruction = *flow.steps[at].instruction;
       if (!wantsNoNegative(instruction)) continue;

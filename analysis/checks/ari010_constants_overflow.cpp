@@ -20,8 +20,16 @@ std::optional<std::int64_t> wholeConstant(const Instruction* load, int bits) {
   return bits == 16 ? static_cast<std::int16_t>(value) : static_cast<std::int64_t>(static_cast<std::int32_t>(value));
 }
 
+/// A product of words fills ACCU1, and a double word takes all of it.
+bool isProductKeptWhole(const Flow& flow, std::uint32_t at, bool isProduct) {
+  if (!isProduct || at + 1 == flow.steps.size()) return false;
+  const Instruction& next = *flow.steps[at + 1].instruction;
+  return statementRole(next) == StatementRole::Transfer && !next.operands.empty() &&
+         next.operands[0].width == Width::DWord;
+}
+
 void checkAri010(const Facts& facts, FindingSink& sink) {
-  eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
+  eachReadStretch(facts, [&](std::uint32_t, const Flow& flow) {
     for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {
       const Instruction& instruction = *flow.steps[at].instruction;
       const auto shape = resultOf(instruction, 0, 0);
@@ -33,7 +41,8 @@ void checkAri010(const Facts& facts, FindingSink& sink) {
           isStep ? wholeConstant(&instruction, shape->bits) : wholeConstant(loads.accu1, shape->bits);
       if (!first || !second) continue;
       const WholeResult result = *resultOf(instruction, *first, *second);
-      if (result.fits()) continue;
+      if (result.fits() || isProductKeptWhole(flow, at, result.bits == 16 && result.value == *first * *second))
+        continue;
       Finding& finding = sink.report(
           instruction.span, fmt::format("{} makes {} of {} and {}, more than {} bits hold", Facts::text(instruction),
                                         result.value, *first, *second, result.bits));

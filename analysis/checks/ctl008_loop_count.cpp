@@ -48,7 +48,7 @@ CountStart countAt(const Flow& flow, std::uint32_t label, const Instruction*& so
 }
 
 void checkCtl008(const Facts& facts, FindingSink& sink) {
-  eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
+  eachReadStretch(facts, [&](std::uint32_t, const Flow& flow) {
     for (const FlowStep& step : flow.steps) {
       const Instruction& instruction = *step.instruction;
       if (statementRole(instruction) != StatementRole::Loop || step.partner == noPartner) continue;

@@ -11,7 +11,7 @@ namespace rungproof {
 namespace {
 
 void checkCtl009(const Facts& facts, FindingSink& sink) {
-  eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
+  eachReadStretch(facts, [&](std::uint32_t, const Flow& flow) {
     for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {
       const Instruction& list = *flow.steps[at].instruction;
       if (statementRole(list) != StatementRole::Distributor || flow.steps[at].partner == noPartner) continue;

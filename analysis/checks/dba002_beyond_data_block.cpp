@@ -13,7 +13,7 @@ namespace {
 
 void checkDba002(const Facts& facts, FindingSink& sink) {
   const BlockMap& blocks = *facts.plan().blocks;
-  eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
+  eachReadStretch(facts, [&](std::uint32_t, const Flow& flow) {
     const OpenStates states = openStates(facts.program(), flow);
     for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {
       if (!states[at]) continue;

@@ -4,56 +4,17 @@
 
 #include <algorithm>
 
+#include "analysis/flow/declared_value.hpp"
 #include "analysis/flow/open_blocks.hpp"
 #include "analysis/flow/step7_blocks.hpp"
 #include "analysis/rule.hpp"
 #include "ir/block_map.hpp"
-#include "ir/s7300/declarations.hpp"
 
 namespace rungproof {
 
 namespace {
 
 using s7300::TypeKind;
-
-/// A declared value without parts, in bits from the beginning of the block.
-struct Leaf {
-  TypeKind kind;
-  std::uint64_t first, end;
-  std::string name;
-};
-
-struct BitRange {
-  std::uint64_t first, end;
-};
-
-void leavesOf(const s7300::Structure& structure, std::uint64_t base, const std::string& path, BitRange range,
-              std::vector<Leaf>& leaves);
-
-void leavesOf(const s7300::Type& type, std::uint64_t first, const std::string& path, BitRange range,
-              std::vector<Leaf>& leaves) {
-  const std::uint64_t size = type.kind == TypeKind::Bool ? 1 : s7300::sizeOf(type) * 8;
-  if (first >= range.end || first + size <= range.first) return;
-  if (type.structure != nullptr) return leavesOf(*type.structure, first, path, range, leaves);
-  if (type.kind != TypeKind::Array || type.element == nullptr) {
-    leaves.push_back({type.kind, first, first + size, path});
-    return;
-  }
-  const bool isBits = type.element->kind == TypeKind::Bool;
-  const std::uint64_t each = isBits ? 1 : std::max<std::uint64_t>(s7300::sizeOf(*type.element), 1) * 8;
-  const std::uint64_t from = range.first > first ? (range.first - first) / each : 0;
-  for (std::uint64_t i = from; first + i * each < std::min(range.end, first + size); ++i)
-    leavesOf(*type.element, first + i * each, path + "[]", range, leaves);
-}
-
-void leavesOf(const s7300::Structure& structure, std::uint64_t base, const std::string& path, BitRange range,
-              std::vector<Leaf>& leaves) {
-  for (const s7300::Field& field : structure.fields) {
-    if (field.byReference || !field.viewOf.empty()) continue;
-    leavesOf(field.type, base + field.byte * 8ULL + field.bit, path.empty() ? field.name : path + "." + field.name,
-             range, leaves);
-  }
-}
 
 /// Patterns of bits, parts of which are taken as a matter of course.
 bool isBitPattern(TypeKind kind) {
@@ -63,18 +24,19 @@ bool isBitPattern(TypeKind kind) {
 }
 
 /// What is odd about an access to these fields, or empty.
-std::string oddness(const std::vector<Leaf>& leaves, BitRange range) {
+std::string oddness(const std::vector<DeclaredValue>& leaves, BitRange range) {
   if (leaves.empty()) return {};
-  const auto isCovered = [&](const Leaf& leaf) { return leaf.first >= range.first && leaf.end <= range.end; };
+  const auto isCovered = [&](const DeclaredValue& leaf) { return leaf.first >= range.first && leaf.end <= range.end; };
   if (leaves.size() == 1) {
-    const Leaf& leaf = leaves[0];
+    const DeclaredValue& leaf = leaves[0];
     if (isCovered(leaf) || isBitPattern(leaf.kind)) return {};
     return fmt::format("takes a part of {}", leaf.name);
   }
-  for (const Leaf& leaf : leaves) {
+  for (const DeclaredValue& leaf : leaves) {
     if (!isCovered(leaf)) return fmt::format("takes a part of {} and of {}", leaves[0].name, leaves[1].name);
   }
-  const auto other = std::ranges::find_if(leaves, [&](const Leaf& leaf) { return leaf.kind != leaves[0].kind; });
+  const auto other =
+      std::ranges::find_if(leaves, [&](const DeclaredValue& leaf) { return leaf.kind != leaves[0].kind; });
   if (other == leaves.end()) return {};
   return fmt::format("joins {} and {}, which are of different types", leaves[0].name, other->name);
 }
@@ -82,7 +44,7 @@ std::string oddness(const std::vector<Leaf>& leaves, BitRange range) {
 void checkDba003(const Facts& facts, FindingSink& sink) {
   const s7300::Declarations* declarations = facts.program().declarations.get();
   if (declarations == nullptr) return;
-  eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
+  eachReadStretch(facts, [&](std::uint32_t, const Flow& flow) {
     const OpenStates states = openStates(facts.program(), flow);
     for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {
       if (!states[at]) continue;
@@ -98,9 +60,7 @@ void checkDba003(const Facts& facts, FindingSink& sink) {
         const std::uint64_t first =
             byteInBlock(operand.offset) * 8ULL + (operand.width == Width::Bit ? operand.bit : 0);
         const BitRange range{first, first + static_cast<std::uint64_t>(bits(operand.width))};
-        std::vector<Leaf> leaves;
-        leavesOf(*structure->second, 0, {}, range, leaves);
-        const std::string odd = oddness(leaves, range);
+        const std::string odd = oddness(valuesIn(*structure->second, range), range);
         if (odd.empty()) return;
         Finding& finding = sink.report(operand.span, fmt::format("{} of DB{} {}", toString(operand), number, odd));
         finding.address = toString(operand);

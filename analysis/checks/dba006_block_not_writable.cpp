@@ -19,7 +19,7 @@ void checkDba006(const Facts& facts, FindingSink& sink) {
     if (block.readOnly || block.unlinked) guarded.emplace(block.number, &block);
   }
   if (guarded.empty()) return;
-  eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
+  eachReadStretch(facts, [&](std::uint32_t, const Flow& flow) {
     const OpenStates states = openStates(facts.program(), flow);
     for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {
       if (!states[at]) continue;

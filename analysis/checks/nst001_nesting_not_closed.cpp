@@ -119,7 +119,7 @@ void checkLevels(const Facts& facts, FindingSink& sink, const Flow& flow,
 }
 
 void checkNst001(const Facts& facts, FindingSink& sink) {
-  eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
+  eachReadStretch(facts, [&](std::uint32_t, const Flow& flow) {
     checkLevels(facts, sink, flow, logicStates(flow), parentheses);
     checkLevels(facts, sink, flow, zoneStates(flow), zones);
   });

@@ -11,7 +11,7 @@ namespace rungproof {
 namespace {
 
 void checkNst003(const Facts& facts, FindingSink& sink) {
-  eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
+  eachReadStretch(facts, [&](std::uint32_t, const Flow& flow) {
     const LogicStates states = logicStates(flow);
     const Instruction* label = nullptr;
     for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {

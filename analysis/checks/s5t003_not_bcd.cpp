@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "analysis/flow/declared_value.hpp"
 #include "analysis/flow/statement_paths.hpp"
 #include "analysis/flow/step7_blocks.hpp"
 #include "analysis/rule.hpp"
@@ -46,17 +47,14 @@ std::string faultOf(const Operand& constant, StatementRole role) {
                      role == StatementRole::StartTimer ? " units" : "");
 }
 
-/// Declared INT, DINT or REAL: a parameter, a static or a temporary variable of the block.
-bool isDeclaredNumber(const Flow& flow, const Operand& operand) {
-  if (!operand.text.starts_with('#')) return false;
-  const auto local = std::ranges::find_if(
-      flow.pou->locals, [&](const LocalVariable& each) { return operand.text.substr(1) == each.name; });
-  return local != flow.pou->locals.end() &&
-         (local->type == DataType::Int || local->type == DataType::DInt || local->type == DataType::Real);
+/// Declared INT, DINT or REAL: a parameter, a variable or a member of a data block.
+bool isDeclaredNumber(const Facts& facts, const Flow& flow, const Operand& operand) {
+  const s7300::TypeKind type = declaredTypeOf(facts, flow, operand);
+  return type == s7300::TypeKind::Int || type == s7300::TypeKind::DInt || type == s7300::TypeKind::Real;
 }
 
 void checkS5t003(const Facts& facts, FindingSink& sink) {
-  eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
+  eachReadStretch(facts, [&](std::uint32_t, const Flow& flow) {
     for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {
       const Instruction& instruction = *flow.steps[at].instruction;
       const StatementRole role = statementRole(instruction);
@@ -67,8 +65,8 @@ void checkS5t003(const Facts& facts, FindingSink& sink) {
       const bool isConstant =
           made == StatementRole::Load && !maker->operands.empty() && maker->operands[0].kind == OperandKind::Constant;
       const bool isComputed = made == StatementRole::IntegerMath || made == StatementRole::IntegerStep;
-      const bool isNumber =
-          made == StatementRole::Load && role != StatementRole::FromBcd && isDeclaredNumber(flow, maker->operands[0]);
+      const bool isNumber = made == StatementRole::Load && role != StatementRole::FromBcd &&
+                            isDeclaredNumber(facts, flow, maker->operands[0]);
       const std::string fault = isConstant   ? faultOf(maker->operands[0], role)
                                 : isComputed ? fmt::format("{} leaves a binary number in ACCU1", Facts::text(*maker))
                                 : isNumber   ? fmt::format("{} is declared as a number", toString(maker->operands[0]))

@@ -50,6 +50,10 @@ class CallGraph {
   bool reachedFromInterrupt(std::uint32_t block) const { return fromInterrupt_[block] != 0; }
   /// S7-300/400: whether it runs in the start-up alone, in or below OB100 to OB102 and below no other OB.
   bool isStartUpOnly(std::uint32_t block) const { return fromStartUp_[block] != 0 && fromOtherBlocks_[block] == 0; }
+  /// Whether anything runs it that the text shows: the main program, an interrupt, an organization block.
+  bool mayRun(std::uint32_t block) const {
+    return fromMain_[block] + fromInterrupt_[block] + fromStartUp_[block] + fromOtherBlocks_[block] > 0;
+  }
   bool isAttached(std::uint32_t block) const { return attached_[block] != 0; }
 
  private:

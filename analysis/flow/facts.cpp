@@ -57,8 +57,13 @@ Facts::Facts(const Program& program, std::span<const ExternalRange> externals, S
     hasUnreadCode_ = hasUnreadCode_ || (finding.network == 0 && isProgramReadError(finding));
   }
   hasHiddenCode_ = hasUnreadCode_;
+  // Of a source of single blocks the text shows no caller.
+  const bool isOfStatements = form() == StatementForm::Accumulators;
+  bool hasCallers = false;
+  for (std::uint32_t block = 0; block < program.pous.size(); ++block) hasCallers = hasCallers || calls_.mayRun(block);
   for (std::uint32_t block = 0; block < program.pous.size(); ++block) {
-    hasUnreadCode_ = hasUnreadCode_ || hasUnreadCode(block);
+    const bool isIdle = isOfStatements && hasCallers && !calls_.mayRun(block);
+    hasUnreadCode_ = hasUnreadCode_ || (!isIdle && hasUnreadCode(block));
     hasHiddenCode_ = hasHiddenCode_ || hasUnreadCode_ || program.pous[block].protectedBlock;
   }
   for (const auto& [id, contract] : contracts_.all())

@@ -162,6 +162,7 @@ class Facts {
   bool hasHiddenCode() const { return hasHiddenCode_; }
   /// Whether a line of some network could not be read; of one of this block; of the one that holds the instruction.
   /// Rules that need the instruction which that line may have been say nothing.
+  /// Whether something that may run could not be read.
   bool hasUnreadCode() const { return hasUnreadCode_; }
   bool hasUnreadCode(const Pou& block) const;
   bool hasUnreadCode(std::uint32_t block) const { return hasUnreadCode(program_.pous[block]); }

@@ -13,6 +13,36 @@ bool isLibraryText(const Program& program, const Pou& pou) {
   return pou.name.starts_with(blockName(pou.number) + " ") && program.sources->file(pou.span.file).name() == pou.name;
 }
 
+std::vector<Flow> readStretches(const Facts& facts, std::uint32_t block) {
+  const Flow& whole = facts.plan().flows[block];
+  const std::vector<FlowStep>& steps = whole.steps;
+  std::vector<Flow> result;
+  for (std::uint32_t begin = 0; begin < steps.size();) {
+    std::uint32_t end = begin;
+    while (end < steps.size() && !facts.isUnread(steps[end].id()) &&
+           (end == begin || steps[end].network <= steps[end - 1].network + 1))
+      ++end;
+    if (end == begin) {
+      ++begin;
+      continue;
+    }
+    const auto isInside = [&](std::uint32_t step) { return begin <= step && step < end; };
+    bool isApart = true;
+    for (std::uint32_t at = 0; at < steps.size(); ++at) {
+      const std::uint32_t partner = steps[at].partner;
+      isApart = isApart && (partner == noPartner || isInside(at) == isInside(partner));
+    }
+    if (isApart) {
+      Flow& flow = result.emplace_back();
+      flow.pou = whole.pou;
+      flow.steps.assign(steps.begin() + begin, steps.begin() + end);
+      for (FlowStep& step : flow.steps) step.partner -= step.partner == noPartner ? 0 : begin;
+    }
+    begin = end;
+  }
+  return result;
+}
+
 bool mayRunInOneScan(const Facts& facts, std::uint32_t a, std::uint32_t b) {
   if (facts.blockOf(a) != facts.blockOf(b)) return true;
   const auto isInEveryRun = [&](std::uint32_t instruction) {

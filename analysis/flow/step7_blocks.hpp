@@ -19,6 +19,25 @@ std::string placeKey(const Facts& facts, std::uint32_t block, const Operand& ope
 /// "network 3 of FC5".
 std::string networkText(const Facts& facts, std::uint32_t instruction);
 
+/// The networks of the block that could be read, as flows: all of them as one, or rows of them between those that could
+/// not. A row that jumps join with the rest is left out. What stands in front of a row may be anything.
+std::vector<Flow> readStretches(const Facts& facts, std::uint32_t block);
+
+/// Calls visit(block, flow) for all that could be read of the program's own blocks: for rules that judge statements by
+/// those in front of them, and take nothing from what they do not see.
+template <class Visit>
+void eachReadStretch(const Facts& facts, Visit&& visit) {
+  for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
+    if (facts.program().pous[block].protectedBlock || isLibraryText(facts.program(), facts.program().pous[block]))
+      continue;
+    if (!facts.hasUnreadCode(block)) {
+      if (!facts.plan().flows[block].steps.empty()) visit(block, facts.plan().flows[block]);
+      continue;
+    }
+    for (const Flow& flow : readStretches(facts, block)) visit(block, flow);
+  }
+}
+
 /// Calls visit(block, flow) for every block of the program's own that could be read in full.
 template <class Visit>
 void eachOwnBlock(const Facts& facts, Visit&& visit) {

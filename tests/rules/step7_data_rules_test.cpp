@@ -95,5 +95,53 @@ TEST(DataRules7, NumbersOfTwoTypesAreNotMixed) {
                             {"another value in between", 0, in("L #I;\nL MD 0;\nDTR;\n+R;\nT MD 0;")}});
 }
 
+// Names in any case (002:180), members of data blocks, of structures and of arrays, data of instances.
+TEST(DataRules7, NumbersWithADeclarationAnywhereAreNotMixed) {
+  const std::string fields =
+      "r : REAL;\ni : INT;\ns : S5TIME;\nt : TIME;\nar : ARRAY [1 .. 3] OF REAL;\n"
+      "st : STRUCT\nx : REAL;\nn : INT;\nEND_STRUCT;";
+  const std::string data = db(1, fields);
+  const std::string type = "TYPE UDT 1\nSTRUCT\n" + fields + "\nEND_STRUCT;\nEND_TYPE\n";
+  const std::string timer = "VAR\nTn : SFB 4;\nw : WORD;\nEND_VAR\n";
+  const auto withType = [&](const std::string& statements) {
+    return type + fc(1, statements, "VAR_INPUT\nu : UDT 1;\nEND_VAR\nVAR_TEMP\nv : UDT 1;\nEND_VAR\n");
+  };
+  expectFindings("ARI008",
+                 {{"another case", 1, fc(1, "L #ratio;\nL 5;\n+I;\nT MW 0;", "VAR_INPUT\nRatio : REAL;\nEND_VAR\n")},
+                  {"of a data block", 1, data + ob1("L DB1.r;\nL 1;\n+I;\nT MW 0;")},
+                  {"by its address", 1, data + ob1("L DB1.DBD 0;\nL 1;\n+I;\nT MW 0;")},
+                  {"from one member to another", 1, data + ob1("L DB1.i;\nT DB1.r;")},
+                  {"S5TIME to TIME", 1, data + ob1("L DB1.s;\nT DB1.t;")},
+                  {"an element", 1, data + ob1("L DB1.ar[2];\nL 1;\n+I;\nT MW 0;")},
+                  {"in a structure", 1, data + ob1("L DB1.st.n;\nL 1.5;\n>R;\n= M 0.0;")},
+                  {"of a parameter", 1, withType("L #u.r;\nL 1;\n+I;\nT MW 0;")},
+                  {"of an element of a parameter", 1, withType("L #u.ar[3];\nL 1;\n+I;\nT MW 0;")},
+                  {"of temporary data", 1, withType("L #v.st.x;\nT #v.st.n;")},
+                  {"of an instance", 1, fb(1, "L S5T#5S;\nT #Tn.PT;", timer)},
+                  {"of an instance, compared", 1, fb(1, "L #Tn.ET;\nL 5.0;\n>R;\n= M 0.0;", timer)},
+                  {"converted", 0, data + ob1("L DB1.i;\nITD;\nDTR;\nT DB1.r;")},
+                  {"of one type", 0, data + ob1("L DB1.ar[2];\nT DB1.r;\nL DB1.i;\nT DB1.st.n;")},
+                  {"half of a REAL", 0, data + ob1("L DB1.DBW 0;\nL 1;\n+I;\nT MW 0;")},
+                  {"half of a TIME into an S5TIME", 0, data + ob1("L DB1.DBW 8;\nT DB1.s;")},
+                  {"a TIME for an IEC timer", 0, fb(1, "L T#5S;\nT #Tn.PT;", timer)},
+                  {"of a parameter, of one type", 0, withType("L #u.r;\nT #v.r;\nL #u.t;\nT #v.t;")}});
+}
+
+// Each network is judged by itself where a statement of another one could not be read.
+TEST(DataRules7, ANetworkThatCannotBeReadHidesNoOther) {
+  const std::string data = db(1, "i : INT;\nr : REAL;");
+  const auto beside = [&](const std::string& before, const std::string& behind) {
+    return data + ob1(before + "\nNETWORK\nA \"nope\";\n= M 1.0;\nNETWORK\n" + behind);
+  };
+  const Target target{*cpuNamed("319-3"), usualEdition(*cpuNamed("319-3"))};
+  const auto count = [&](const char* rule, const std::string& text) { return Linted(text, target).of(rule).size(); };
+  EXPECT_EQ(count("DBA002", beside("L DB1.DBW 100;\nT MW 50;", "L DB1.DBW 6;\nT MW 52;")), 2U);
+  EXPECT_EQ(count("NST001", beside("A(;\nA I 0.0;\n= M 20.4;", "NOP 0;")), 1U);
+  EXPECT_EQ(count("ARI008", beside("NOP 0;", "L DB1.i;\nT DB1.r;")), 1U);
+  // The block that is open behind the unread network is not known, and a jump over it joins what is before and behind.
+  EXPECT_EQ(count("DBA002", beside("OPN DB 1;\nL DBW 0;\nT MW 50;", "L DBW 6;\nT MW 52;")), 0U);
+  EXPECT_EQ(count("DBA002", beside("L DB1.DBW 100;\nT MW 50;\nJU m;", "m: L DB1.DBW 6;\nT MW 52;")), 0U);
+}
+
 }  // namespace
 }  // namespace rungproof::testing

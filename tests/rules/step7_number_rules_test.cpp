@@ -27,6 +27,8 @@ TEST(NumberRules7, ConstantsThatDoNotFit) {
                             {"a product, 90000", 1, ob1("L 300;\nL 300;\n*I;\nT MW 0;")},
                             {"of double words, 2^32", 1, ob1("L L#65536;\nL L#65536;\n*D;\nT MD 0;")},
                             {"a sum of double words", 1, ob1("L L#2000000000;\nL L#2000000000;\n+D;\nT MD 0;")},
+                            {"a product in a double word", 0, ob1("L 200;\nL 200;\n*I;\nT MD 0;")},
+                            {"of double words in one", 1, ob1("L L#65536;\nL L#65536;\n*D;\nT MD 0;")},
                             {"a step, 32768", 1, ob1("L 32767;\n+ 1;\nT MW 0;")},
                             {"the last that fits", 0, ob1("L 32766;\n+ 1;\nT MW 0;")},
                             {"the lowest that fits", 0, ob1("L -32767;\nL 1;\n-I;\nT MW 0;")},
