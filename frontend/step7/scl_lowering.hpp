@@ -7,6 +7,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,12 +46,16 @@ class SclLowering {
 
  private:
   using Kind = s7300::TypeKind;
-  struct Refused {};
+  struct Refused {
+    bool isNameMissing = false;  ///< a name that another file may define: what the compiler takes then is not known
+  };
 
   // scl_statements.cpp
   void statement(const iec::Statement& statement);
   void statements(const iec::Statements& all);
   void assign(const iec::Statement& statement);
+  bool keepStores(const iec::Statement& statement);
+  void missed(const Refused& refused);
   void copyWhole(const Operand& to, const Operand& from, const s7300::Type& type, Span span);
   void ifStatement(const iec::Statement& statement);
   void caseStatement(const iec::Statement& statement);
@@ -157,6 +162,8 @@ class SclLowering {
   const BlockCatalogue& catalogue_;
   TypeTable& types_;
   OperandBinder operands_;
+  bool isNameMissing_ = false;                ///< in the statement at hand
+  std::set<const iec::Statement*> unplaced_;  ///< assignments whose target was refused
   Reports& reports_;
   BlockScope& scope_;
   const SclBody* body_ = nullptr;

@@ -64,7 +64,7 @@ BoundOperand SclLowering::bound(const Operand& operand) {
   BoundOperand made = operands_.bind(operand, scope_);
   if (!made.fault.empty()) {
     reports_.reportOnce(made.code, made.faultSpan, made.fault, scope_.name, network_->number, std::string(made.help));
-    throw Refused{};
+    throw Refused{made.code == Syntax::NameUndefined};
   }
   return made;
 }
@@ -152,7 +152,7 @@ Operand SclLowering::operandOf(const iec::Expr& expr,
     if (!isKnown) {
       reports_.reportOnce(Syntax::NameUndefined, expr.parts[0].span, fmt::format("nothing declares {}", first),
                           scope_.name, network_->number);
-      throw Refused{};
+      throw Refused{true};
     }
   }
   for (; next < expr.parts.size(); ++next) {

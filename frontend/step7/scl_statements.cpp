@@ -68,11 +68,16 @@ std::vector<NetworkSyntax> SclLowering::lower(const SclBody& body, const Network
         emit("=", *ok_);
       }
       const std::uint32_t free = next_;
+      isNameMissing_ = false;
       statement(one);
       next_ = free;
-    } catch (const Refused&) {
-      isWhole_ = false;
+    } catch (const Refused& refused) {
+      missed(refused);
     }
+    if (!isNameMissing_) continue;
+    network_->keepsStores = !hasOk && keepStores(one);
+    isWhole_ = isWhole_ && network_->keepsStores;
+    leaveUnread(*network_);
   }
   // What the block hands back as ENO; an organization block has nobody to hand it to.
   if (isLeft_ || ok_ || scope_.key.kind != BlockKind::Ob) {
@@ -97,9 +102,56 @@ std::vector<NetworkSyntax> SclLowering::lower(const SclBody& body, const Network
     }
   }
   if (!isWhole_) {
-    for (NetworkSyntax& network : networks) leaveUnread(network);
+    for (NetworkSyntax& network : networks) {
+      leaveUnread(network);
+      network.keepsStores = false;
+    }
   }
   return networks;
+}
+
+/// For a statement that was refused: the stores that it may make, so that everything else of the block is known. False
+/// where it may do more than store at places whose addresses are known.
+bool SclLowering::keepStores(const iec::Statement& one) {
+  const auto hasCall = [](const auto& self, const iec::Expr& expr) -> bool {
+    const bool isConversion =
+        expr.parts.size() == 1 && iec::foldedName(expr.parts[0].name).find("_TO_") != std::string::npos;
+    if (expr.kind == iec::ExprKind::Call && !isConversion) return true;
+    const auto isInArgument = [&](const iec::Argument& argument) {
+      return argument.value && self(self, *argument.value);
+    };
+    if (std::ranges::any_of(expr.arguments, isInArgument)) return true;
+    const auto inPart = [&](const iec::PathPart& part) {
+      return std::ranges::any_of(part.indices, [&](const iec::ExprPtr& index) { return self(self, *index); });
+    };
+    return std::ranges::any_of(expr.parts, inPart) ||
+           std::ranges::any_of(expr.operands, [&](const iec::ExprPtr& operand) { return self(self, *operand); });
+  };
+  const auto isPlain = [&](const iec::ExprPtr& expr) { return expr == nullptr || !hasCall(hasCall, *expr); };
+  const auto all = [&](const iec::Statements& list) {
+    return std::ranges::all_of(list, [&](const iec::Statement& inside) { return keepStores(inside); });
+  };
+  if (!isPlain(one.value) || !isPlain(one.target)) return false;
+  if (one.kind == iec::StatementKind::If || one.kind == iec::StatementKind::Case)
+    return all(one.otherwise) && std::ranges::all_of(one.branches, [&](const iec::Branch& branch) {
+             return isPlain(branch.condition) && all(branch.body);
+           });
+  const bool isPlaced = one.kind == iec::StatementKind::Assign && !unplaced_.contains(&one);
+  if (!isPlaced || one.target->kind != iec::ExprKind::Path) return false;
+  try {
+    const Spot to = placeOf(*one.target);
+    if (!to.indices.empty() || to.bound.constant || (to.bound.type && sclBits(to.bound.type->kind) == 0)) return false;
+    bool isUntyped = false;
+    const Kind kind = kindOf(to.bound, one.target->span, isUntyped);
+    // What the expression would have done to the accumulators and the status bits.
+    for (const char* operation : {"L", "L"}) emit(operation, sclConstant(sclNumber(0), one.span));
+    emit("+I");
+    emit("SET");
+    store(to.operand, kind);
+  } catch (const Refused&) {
+    return false;
+  }
+  return true;
 }
 
 void SclLowering::lowerInto(const SclBody& body, NetworkSyntax& network) {
@@ -113,13 +165,18 @@ void SclLowering::lowerInto(const SclBody& body, NetworkSyntax& network) {
   if (!isWhole_) leaveUnread(network);
 }
 
+void SclLowering::missed(const Refused& refused) {
+  isNameMissing_ = isNameMissing_ || refused.isNameMissing;
+  isWhole_ = isWhole_ && refused.isNameMissing && !isPart_;
+}
+
 void SclLowering::statements(const iec::Statements& all) {
   for (const iec::Statement& one : all) {
     const std::uint32_t free = next_;
     try {
       statement(one);
-    } catch (const Refused&) {  // the others are looked at all the same
-      isWhole_ = false;
+    } catch (const Refused& refused) {  // the others are looked at all the same
+      missed(refused);
     }
     next_ = free;
   }
@@ -164,6 +221,7 @@ void SclLowering::statement(const iec::Statement& one) {
 
 void SclLowering::assign(const iec::Statement& one) {
   const iec::Expr& target = *one.target;
+  unplaced_.insert(&one);
   if (ok_ && target.parts.size() == 1 && iec::foldedName(target.parts[0].name) == "OK") {
     const SclValue given = valueAs(*one.value, Kind::Bool);
     scan(given);
@@ -194,6 +252,7 @@ void SclLowering::assign(const iec::Statement& one) {
   }
   bool isUntyped = false;
   const Kind kind = kindOf(to.bound, target.span, isUntyped);
+  unplaced_.erase(&one);
   SclValue given = value(*one.value);
   if (isUntyped && !given.isLiteral && sclBits(given.kind) == sclBits(kind))
     given.isUntyped = true;            // an address takes any value of its width

@@ -354,6 +354,7 @@ class ProjectBuilder {
       for (const Remark& remark : each.remarks) network.comments.push_back({remark.span});
       statements.bind(each, set, scope, network);
       if (each.isUnread) network.mayWrite.reset();
+      if (each.keepsStores) network.mayWrite.emplace();
       if (isInDoubt && network.complete && !each.isUnread) network.mayWrite.emplace();
       if (each.isUnread || isInDoubt) network.complete = false;
     }

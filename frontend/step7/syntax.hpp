@@ -108,6 +108,7 @@ struct NetworkSyntax {
   Span span;
   Form form = Form::Stl;
   bool isUnread = false;      ///< some of it is not among the statements, and has a finding
+  bool keepsStores = false;   ///< the same, but the statements store at all places where it may
   bool isStructured = false;  ///< written in SCL; the statements are what its text means
   /// SCL that becomes statements once all names are known: of a block in SCL all of it, which becomes networks.
   std::shared_ptr<const SclBody> scl;

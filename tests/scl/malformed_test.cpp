@@ -7,6 +7,7 @@ namespace {
 using testscl::commandOn;
 using testscl::mainOf;
 using testscl::Output;
+using testscl::proofOf;
 
 struct MalformedCase {
   const char* body;     ///< begins in line 10, column 1
@@ -142,6 +143,30 @@ TEST(SclMalformed, NothingIsSaidOfJumpsThatNobodyWrote) {
     const Output output = commandOn("lint", mainOf(body, declared));
     EXPECT_TRUE(output.has("error[SYN075]")) << body << output.text;
     EXPECT_FALSE(output.has("SYN048")) << body << output.text;
+  }
+}
+
+// A statement that only stores leaves open what it stores, and nothing else; one that may leave the block, call or
+// store nobody knows where leaves everything open.
+TEST(MalformedScl, ARefusedStatementLeavesOpenWhatItStores) {
+  const std::string properties = "prove same: Q0.1 = I0.2\nprove never: not Q0.0\n";
+  const auto of = [&](const std::string& refused) {
+    return proofOf(properties, mainOf("Q0.1 := I0.2;\n" + refused + "\nM5.0 := I0.4;\n"));
+  };
+  for (const char* refused :
+       {"Q0.0 := nobody;", "Q0.0 := \"Nobody\";", "IF nobody THEN Q0.0 := TRUE; ELSE MW20 := 5; END_IF;",
+        "IF I0.0 THEN Q0.0 := nobody AND I0.1; END_IF;", "M6.0 := nobody; Q0.0 := M6.0;",
+        "CASE WORD_TO_INT(MW30) OF 1: Q0.0 := \"Nobody\".x; ELSE MW20 := 1; END_CASE;"}) {
+    const Output output = of(refused);
+    EXPECT_TRUE(output.has("PROVED  same")) << refused << "\n" << output.text;
+    EXPECT_TRUE(output.has("NOT COVERED  never")) << refused << "\n" << output.text;
+    EXPECT_EQ(output.exit, 2) << refused;
+  }
+  for (const char* refused : {"nobody := I0.0;", "IF nobody THEN RETURN; END_IF;", "nobody(x := 1);",
+                              "MW20 := FC77(x := 1);", "IF nobody THEN FC77(); END_IF;"}) {
+    const Output output = of(refused);
+    EXPECT_TRUE(output.has("NOT COVERED  same")) << refused << "\n" << output.text;
+    EXPECT_TRUE(output.has("NOT COVERED  never")) << refused << "\n" << output.text;
   }
 }
 
