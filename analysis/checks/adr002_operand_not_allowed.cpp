@@ -28,7 +28,7 @@ std::string formText(const Operand& operand) {
     case OperandKind::Indirect: return "a pointer";
     case OperandKind::Address: return "an address with &";
     case OperandKind::Constant: return "a constant";
-    default: return "a text";
+    default: return "a text, or a name that no symbol can have,";
   }
 }
 
@@ -42,8 +42,12 @@ void checkForm(const Facts& facts, FindingSink& sink, const Instruction& instruc
   };
   if (isSpokenByOthers(desc, operand)) return;
   if (!formIsAllowed(desc, operand)) {
-    report(fmt::format("{} does not take {} as {}: {} is not allowed there", instruction.desc->stl, toString(operand),
-                       desc.name, formText(operand)));
+    // The letters of a text are those of the source, not of the controller.
+    const std::string written = operand.kind == OperandKind::Text
+                                    ? std::string(facts.program().sources->file(operand.span.file).text(operand.span))
+                                    : toString(operand);
+    report(fmt::format("{} does not take {} as {}: {} is not allowed there", instruction.desc->stl, written, desc.name,
+                       formText(operand)));
   } else if (!widthIsAllowed(desc, operand)) {
     report(fmt::format("{} needs {} as {}, but {} is {}", instruction.desc->stl, widthName(widthOf(desc.type)),
                        desc.name, toString(operand), widthName(operand.width)));

@@ -77,8 +77,12 @@ class Checker {
     if (!desc.hasRanges() || !valueIsInRange(desc, operand.value, seriesOf(facts_.target().cpu)) ||
         valueIsInRange(desc, operand.value, cpuBit(facts_.target().cpu)))
       return;
-    report(operand.span, fmt::format("{} of {} must be {} on the {}, not {} ({})", desc.name, Facts::text(instruction),
-                                     rangesText(desc, facts_.target().cpu), cpu(), value, instruction.desc->manual))
+    const std::string ranges = rangesText(desc, facts_.target().cpu);
+    report(operand.span, ranges.empty()
+                             ? fmt::format("the {} has no {} of {} ({})", cpu(), desc.name, instruction.desc->stl,
+                                           instruction.desc->manual)
+                             : fmt::format("{} of {} must be {} on the {}, not {} ({})", desc.name,
+                                           Facts::text(instruction), ranges, cpu(), value, instruction.desc->manual))
         .address = toString(operand);
   }
 

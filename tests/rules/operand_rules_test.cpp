@@ -309,5 +309,19 @@ TEST(OperandRules, TextConstantsHave126Characters) {
   EXPECT_EQ(of("SCPY \"" + umlauts + "\", VB0"), 0U) << "126 characters in more bytes";
 }
 
+// Of a CPU without pulse outputs there is no number to name; the letters of a name are those of the source.
+TEST(OperandRules, MessagesNameWhatIsThere) {
+  const Cpu relay = *cpuNamed("CR40");
+  const Linted pulses("Network 1\nLD I0.0\nPLS 0\n", {relay, usualEdition(relay)});
+  ASSERT_EQ(pulses.of("ADR009").size(), 1U);
+  EXPECT_NE(pulses.messages("ADR009")[0].find("the CPU CR40 has no Q0.X of PLS"), std::string::npos)
+      << pulses.messages("ADR009")[0];
+  const Linted name("Network 1\nLD \"\xD0\x9D\xD0\xB0\xD1\x81\xD0\xBE\xD1\x81 1\"\n= Q0.0\n");
+  ASSERT_EQ(name.of("ADR002").size(), 1U);
+  EXPECT_NE(name.messages("ADR002")[0].find("LD does not take \"\xD0\x9D\xD0\xB0\xD1\x81\xD0\xBE\xD1\x81 1\" as bit"),
+            std::string::npos)
+      << name.messages("ADR002")[0];
+}
+
 }  // namespace
 }  // namespace rungproof::testing
