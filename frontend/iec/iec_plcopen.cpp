@@ -346,6 +346,9 @@ class PlcopenText : private PlcopenBodies {
   }
   ExprPtr expressionOf(const pugi::xml_node& node) override {
     SourceText source = textOf(node);
+    std::string& kept = kept_.back();
+    const std::size_t first = kept.find_first_not_of(" \t\r\n");
+    if (first != std::string::npos && kept.compare(first, 2, ":=") == 0) kept.replace(first, 2, "  ");
     while (!source.text.empty() && (source.text.back() == ';' || source.text.back() <= ' '))
       source.text.remove_suffix(1);
     return parseExpression(source, sink_);

@@ -220,6 +220,14 @@ class PlcopenChart {
     }
   }
 
+  /// `full` or, as Beremiz writes it, `:= full;`: a condition that writes nothing.
+  static bool isExpression(const pugi::xml_node& language) {
+    if (localName(language) != "ST") return false;
+    const std::string text = allText(language);
+    const std::size_t first = text.find_first_not_of(" \t\r\n"), last = text.rfind(":=");
+    return last == std::string::npos || last == first;
+  }
+
   /// A named transition of the block, or a variable.
   void readNamed(const pugi::xml_node& node, ChartTransition& made) {
     const std::string name = node.attribute("name").value();
@@ -228,8 +236,7 @@ class PlcopenChart {
         continue;
       const pugi::xml_node body = childNamed(transition, "body");
       const pugi::xml_node language = languageIn(body);
-      const bool isExpression = localName(language) == "ST" && allText(language).find(":=") == std::string::npos;
-      if (isExpression)
+      if (isExpression(language))
         made.condition = bodies_.expressionOf(language);
       else
         readByName(body, name, made);

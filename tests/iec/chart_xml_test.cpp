@@ -135,6 +135,8 @@ TEST(IecChartXml, ConditionsInAllLanguages) {
       {inlineText("x AND NOT y;"), ""},
       {"<inline name=\"\"><IL><p>LD x\nANDN y</p></IL></inline>", ""},
       {reference("Go"), named("<ST><p>x AND NOT y</p></ST>")},
+      {reference("Go"), named("<ST><p>\n:= x AND NOT y;</p></ST>")},  // as Beremiz and OpenPLC write it
+      {inlineText(":= x AND NOT y;"), ""},
       {reference("Go"), named("<ST><p>IF x THEN Go := NOT y; ELSE Go := FALSE; END_IF;</p></ST>")},
       {reference("Go"), named("<IL><p>LD x\nANDN y\nST Go</p></IL>")},
       {reference("Go"), named(drawn)},
@@ -200,6 +202,7 @@ TEST(IecChartXml, WrongChartsAreNamedAndNotProved) {
       {start + ends + transition(5, 3, inlineText("x")) + jump(6, "Nowhere", 5), "there is no step Nowhere"},
       {start + transition(2, 1, "") + stepNamed(3, "B", {2}), "the transition has no condition"},
       {start + transition(2, 1, inlineText("x AND")) + stepNamed(3, "B", {2}), "a value is needed here, the text ends"},
+      {start + transition(2, 1, inlineText(":= x := y")) + stepNamed(3, "B", {2}), "':=' does not belong here"},
       {start + ends + actions(8, 3, action("qualifier=\"X\"", reference("q"))), "X is no qualifier of an action"},
       {start + ends + actions(8, 3, action("qualifier=\"L\"", reference("q"))), "L needs a duration"},
       {start + ends + actions(8, 2, action("", reference("q"))), "which step has these actions is not said"},
