@@ -13,6 +13,14 @@ bool isBitsOf(const Value& value, const Type& type) {
   const std::int64_t half = std::int64_t{1} << (type.width - 1);
   return !value.isHuge && !value.isReal && value.number >= half && value.number < 2 * half;
 }
+/// What gives the same bits of a place whether it is computed in these or in more.
+bool isModular(const std::string& op) { return op == "+" || op == "-" || op == "*"; }
+/// Whether TRUNC, whose result has the type of its place, is an operand of these sums and products.
+bool hasTrunc(const Expr& expr) {
+  if (expr.kind == ExprKind::Call) return expr.parts.size() == 1 && foldedName(expr.parts[0].name) == "TRUNC";
+  return isModular(expr.text) &&
+         std::ranges::any_of(expr.operands, [](const ExprPtr& inner) { return hasTrunc(*inner); });
+}
 bool isComparison(const std::string& op) {
   return op == "=" || op == "<>" || op == "<" || op == ">" || op == "<=" || op == ">=";
 }
@@ -437,10 +445,21 @@ bool Lowering::mayFault(const Expr& expr) const {
   return std::ranges::any_of(expr.operands, [&](const ExprPtr& inner) { return mayFault(*inner); });
 }
 
+/// The type of an operand; of TRUNC that of the place that takes the whole, where a DINT would not fit.
+const Type* Lowering::operandType(Scope& scope, const Expr& operand, const Type* wanted) {
+  const bool isNarrow = wanted != nullptr && wanted->kind == Kind::Integer && wanted->width < 32;
+  if (!isNarrow || !hasTrunc(operand)) return typeOf(scope, operand);
+  if (operand.kind == ExprKind::Call) return wanted;
+  const Type* left = operandType(scope, *operand.operands.front(), wanted);
+  const Type* right = operandType(scope, *operand.operands.back(), wanted);
+  return common(left, right, wanted, operand.span);
+}
+
 const Type* Lowering::binary(Scope& scope, const Expr& expr, const Type* wanted) {
   const Expr &left = *expr.operands[0], &right = *expr.operands[1];
-  const Type *leftType = typeOf(scope, left), *rightType = typeOf(scope, right);
   const bool isCompare = isComparison(expr.text);
+  const Type* place = isModular(expr.text) ? wanted : nullptr;
+  const Type *leftType = operandType(scope, left, place), *rightType = operandType(scope, right, place);
   if (isCompare && (isText(leftType) || isText(rightType))) {
     compareTexts(scope, expr.text, left, right);
     return &booleanType();

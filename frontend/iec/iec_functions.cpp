@@ -423,7 +423,11 @@ const Type* Lowering::standardCall(Scope& scope, const std::string& name, const 
     return &boolean;
   }
   const auto found = standardFunctions().find(name);
-  if (found == standardFunctions().end()) return conversion(scope, name, expr);
+  if (found == standardFunctions().end()) {
+    // TRUNC has any type of whole numbers: that of the place that takes it.
+    const bool isOverloaded = name == "TRUNC" && wanted != nullptr && wanted->kind == Kind::Integer;
+    return conversion(scope, isOverloaded ? fmt::format("TRUNC_{}", wanted->name) : name, expr);
+  }
   const StandardFunction& row = found->second;
   std::vector<const Expr*> values =
       plainArguments(expr, {"IN", "G", "K", "MN", "IN0", "IN1", "IN2", "MX", "N", "L", "P"});

@@ -286,6 +286,7 @@ class Lowering {
   void indexStep(Reference& at, const PathPart& part);
   /// The type without a wish; nullptr: a number literal, which takes any type.
   const Type* typeOf(Scope& scope, const Expr& expr);
+  const Type* operandType(Scope& scope, const Expr& operand, const Type* wanted);
   static const Type* durationOf(const Type* left, const Type* right);
   const Type* common(const Type* left, const Type* right, const Type* wanted, Span span);
   /// Pushes the value as a `wanted`; nullptr: as its own type. Gives the type of what was pushed.
