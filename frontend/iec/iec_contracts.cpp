@@ -147,9 +147,11 @@ class ContractFinder {
 
   void call(const Expr& expr, const TypePtr& wanted) {
     const std::string name = foldedName(expr.parts[0].name);
-    const auto instance = expr.parts.size() == 1 ? instances_.find(name) : instances_.end();
+    const bool isMethod = expr.parts.size() == 2 && expr.parts[1].kind == PathPart::Kind::Name;
+    const auto instance = expr.parts.size() == 1 || isMethod ? instances_.find(name) : instances_.end();
     if (instance != instances_.end()) {
       Contract& contract = *instance->second;
+      if (isMethod) pin(contract, expr.parts[1].name, wanted, expr.span);  // its result is like an output
       if (!std::exchange(contract.isCalled, true))
         sink_.report(
             Syntax::IecTaken, expr.span,
@@ -224,6 +226,34 @@ void addContracts(Program& program, ProjectSyntax& project) {
     std::erase_if(made.variables, [](const VariableSyntax& pin) { return pin.type == nullptr; });
     project.blocks.push_back(std::move(made));
   }
+}
+
+/// The instance of a block in no file, one of whose methods is called; nullptr: it is no such call.
+BlockInstance* Lowering::contractOfMethod(Scope& scope, const Expr& call) {
+  if (call.parts.size() != 2 || call.parts[1].kind != PathPart::Kind::Name) return nullptr;
+  const std::string folded = foldedName(call.parts[0].name);
+  BlockInstance* owner = nullptr;
+  const Variable* variable = scope.inOuts.contains(folded) ? nullptr : find(scope, folded, owner);
+  BlockInstance* instance = variable != nullptr ? variable->instance : nullptr;
+  return instance != nullptr && instance->block->isContract ? instance : nullptr;
+}
+
+/// A call of a method that was left out, of another instance or of the block itself.
+void Lowering::refuseMethod(Scope& scope, const Expr& call) {
+  const bool isOwn =
+      scope.self != nullptr && std::ranges::any_of(scope.self->block->actions, [&](const ActionSyntax& action) {
+        return foldedName(action.name) == foldedName(call.parts[0].name);
+      });
+  if (isOwn || call.parts.size() != 1) refuse(call.span, "methods are not modelled", Syntax::IecNotModelled);
+}
+
+/// The result of a method that no file has, which is any value.
+const Variable& Lowering::resultOfMethod(BlockInstance& instance, const Expr& call) {
+  const auto result = instance.names.find(foldedName(call.parts[1].name));
+  if (result == instance.names.end() || !result->second.type->isValue())
+    refuse(call.span, fmt::format("which type the result of {}.{} has is not known", excerpt(call.parts[0].name),
+                                  excerpt(call.parts[1].name)));
+  return result->second;
 }
 
 /// After the call every output, and every variable that was given, has any value.

@@ -183,6 +183,8 @@ const Type* Lowering::ownTypeOf(Scope& scope, const std::vector<const Expr*>& va
 
 const Type* Lowering::resultOf(Scope& scope, const Expr& expr) {
   const std::string name = foldedName(expr.parts[0].name);
+  if (BlockInstance* instance = contractOfMethod(scope, expr)) return resultOfMethod(*instance, expr).type;
+  refuseMethod(scope, expr);
   if (const BlockInstance* own = functionNamed(name)) return own->names.at(name).type;
   return standardResult(scope, name, expr);
 }
@@ -234,7 +236,14 @@ const Type* Lowering::standardResult(Scope& scope, const std::string& name, cons
 
 const Type* Lowering::call(Scope& scope, const Expr& expr, const Type* wanted) {
   const std::string name = foldedName(expr.parts[0].name);
-  if (expr.parts.size() != 1) refuse(expr.span, "methods are not modelled", Syntax::IecNotModelled);
+  if (BlockInstance* instance = contractOfMethod(scope, expr)) {
+    const Variable& result = resultOfMethod(*instance, expr);
+    callContract(scope, *instance, expr);
+    readOutputs(scope, *instance, expr);
+    load(*result.type, result.offset);
+    return result.type;
+  }
+  refuseMethod(scope, expr);
   BlockInstance* own = functionNamed(name);
   if (const Argument* enable = enableOf(expr); enable != nullptr && &expr != enabledCall_)
     refuse(enable->span, "EN inside an expression, where it is not always TRUE, is not modelled: assign the result",

@@ -248,6 +248,9 @@ class Lowering {
 
   // iec_contracts.cpp
   void callContract(Scope& scope, BlockInstance& instance, const Expr& call);
+  BlockInstance* contractOfMethod(Scope& scope, const Expr& call);
+  void refuseMethod(Scope& scope, const Expr& call);
+  const Variable& resultOfMethod(BlockInstance& instance, const Expr& call);
 
   // iec_conversions.cpp
   const Type* conversion(Scope& scope, const std::string& name, const Expr& expr);

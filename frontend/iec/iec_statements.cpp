@@ -350,6 +350,10 @@ void Lowering::callStatement(Scope& scope, const Expr& call) {
         made.indices.push_back(std::move(literal));
       }
     }
+    if (BlockInstance* instance = contractOfMethod(scope, call)) {
+      callContract(scope, *instance, call);
+      return readOutputs(scope, *instance, call);
+    }
     const Reference at = reference(scope, path);
     if (at.instance == nullptr) refuse(call.span, fmt::format("{} is no function block", excerpt(call.parts[0].name)));
     return callInstance(scope, *at.instance, call);

@@ -44,6 +44,25 @@ TEST(IecContract, AnOutputBeginsWithAnyValue) {  // it is read in front of the f
   EXPECT_EQ(verdictOf(iecProgram(pump, "q := p.Ready; p(start := x);"), "first_scan implies not q"), "VIOLATED");
 }
 
+// A method of a block that no file has is like a call of the block: a result is any value, too.
+TEST(IecContract, MethodsAreCalls) {
+  const std::string log = "VAR_INPUT x : BOOL; END_VAR VAR log : Logger; q, other, given : BOOL; n : INT; END_VAR";
+  const std::string text = iecProgram(log, "q := x; log.Write(1, given); n := log.Count(x);");
+  const Program program = readIecText(text);
+  ASSERT_EQ(program.findings.size(), 1U) << findingsIec(program);
+  EXPECT_EQ(program.findings[0].severity, Severity::Note);
+  EXPECT_NE(findingsIec(program).find("Logger is in no file: what its calls may write is any value"),
+            std::string::npos);
+  EXPECT_EQ(verdictOf(text, "always q = x"), "PROVED");
+  EXPECT_EQ(verdictOf(text, "never given"), "VIOLATED");
+  EXPECT_EQ(verdictOf(text, "always n < 5"), "VIOLATED");
+  EXPECT_EQ(verdictOf(iecProgram(log, "IF log.Ready() AND x THEN q := TRUE; END_IF;"), "never q"), "VIOLATED");
+  EXPECT_EQ(verdictOf(iecProgram(log, "IF log.Ready() AND x THEN q := TRUE; END_IF;"), "q implies once(x)"), "PROVED");
+  // What it writes by name is any value as well, in an output of the block too.
+  EXPECT_EQ(verdictOf(iecProgram(log, "log.Read(1, done => given); q := log.Busy;"), "never given"), "VIOLATED");
+  EXPECT_EQ(verdictOf(iecProgram(log, "log.Read(1, done => given); q := log.Busy;"), "never q"), "VIOLATED");
+}
+
 TEST(IecContract, AnInstanceThatIsGivenIsNotCovered) {  // its state may change
   const IecOutput output =
       proofOfIec("//@ prove off: not d.Q1\n" +
