@@ -15,7 +15,7 @@ void ChartParser::bodyUntil(std::string_view end, Statements& body) {
   };
   read();
   while (!isEnd() && !is(end)) {
-    if (beginsDeclaration()) return;
+    if (beginsDeclaration() || beginsMember()) return;
     Statement lost;
     lost.kind = StatementKind::Unread;
     report(fmt::format("'{}' does not belong here", excerpt(peek().text)), peek());

@@ -20,8 +20,8 @@ class ChartParser : protected StatementParser {
   bool beginsDeclaration() const {
     return isAny({"TYPE", "FUNCTION", "FUNCTION_BLOCK", "PROGRAM", "CONFIGURATION", "VAR_GLOBAL"});
   }
-  /// Statements or lines up to `end`, which is not taken; what does not belong there leaves a statement that was not
-  /// read.
+  /// Statements or lines up to `end` or a method, which are not taken; what does not belong there leaves a statement
+  /// that was not read.
   void bodyUntil(std::string_view end, Statements& body);
   /// Steps, transitions and actions up to `end`, which is not taken.
   ChartSyntax chart(std::string_view end);

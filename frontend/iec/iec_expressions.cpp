@@ -136,6 +136,13 @@ void Lowering::step(Reference& at, const PathPart& part, const Expr& path) {
       at.instance = nullptr;
       return;
     }
+    const bool isLeftOut = std::ranges::any_of(at.instance->block->actions, [&](const ActionSyntax& action) {
+      return !action.isChart && foldedName(action.name) == folded;
+    });
+    if (member == at.instance->names.end() && isLeftOut)
+      refuse(part.span,
+             fmt::format("{} of {} from outside is not modelled", excerpt(part.name), at.instance->block->name),
+             Syntax::IecNotModelled);
     if (member == at.instance->names.end())
       refuse(part.span, fmt::format("block {} has no variable {}", at.instance->block->name, excerpt(part.name)),
              Syntax::IecName);

@@ -95,7 +95,78 @@ class ProjectParser : private ChartParser {
     if (is("FUNCTION") || is("FUNCTION_BLOCK") || is("PROGRAM")) return block();
     if (accept("CONFIGURATION")) return configuration();
     if (is("VAR_GLOBAL")) return variables(project_.globals);
+    if (is("INTERFACE") && peek(1).kind == TokenKind::Word) return interface();
     fail(fmt::format("TYPE, FUNCTION, FUNCTION_BLOCK, PROGRAM or CONFIGURATION is needed here{}", found()));
+  }
+
+  /// A note: what nobody uses does no harm, and each use of it is an error at its place.
+  void leaveOut(std::uint32_t begin, const std::string& message, Syntax code = Syntax::IecTaken) {
+    sink_.report(code, spanFrom(begin), message);
+    Finding& told = sink_.program().findings.back();
+    if (told.message.view() == message) told.help = "what uses it is not covered; the rest is read";
+  }
+
+  /// A variable of the interface stands for an instance that is not known: it is a reference.
+  void interface() {
+    const std::uint32_t begin = take().begin;
+    NamedType made;
+    made.name = name("the name of the interface");
+    leaveOut(begin, fmt::format("interfaces are not modelled: {} is left out", excerpt(made.name)));
+    while (!isEnd() && !is("END_INTERFACE") && !beginsDeclaration()) take();
+    accept("END_INTERFACE");
+    made.type = std::make_shared<TypeSyntax>();
+    made.type->name = "REFERENCE";
+    made.type->span = made.span = spanFrom(begin);
+    project_.types.push_back(std::move(made));
+  }
+
+  /// METHOD or PROPERTY, which becomes an action that was not read: a call of it may write anything.
+  void member(BlockSyntax& block) {
+    const std::string word = foldedName(peek().text);
+    const std::uint32_t begin = take().begin;
+    modifiers();
+    ActionSyntax made;
+    made.name = name("a name");
+    while (accept(".")) made.name = name("a name");
+    const std::string told =
+        fmt::format("{} are not modelled: {} of {} is left out", word == "METHOD" ? "methods" : "properties",
+                    excerpt(made.name), excerpt(block.name));
+    // Those of CODESYS that run by themselves at the start may write anything.
+    const std::string folded = foldedName(made.name);
+    const bool runsAlone = folded == "FB_INIT" || folded == "FB_REINIT";
+    leaveOut(begin, told, runsAlone ? Syntax::IecNotModelled : Syntax::IecTaken);
+    const std::string end = "END_" + word;
+    while (!isEnd() && !is(end) && !isAny({"END_FUNCTION_BLOCK", "END_PROGRAM", "END_FUNCTION"})) take();
+    accept(end);
+    made.span = spanFrom(begin);
+    Statement& lost = made.body.emplace_back();
+    lost.kind = StatementKind::Unread;
+    lost.span = made.span;
+    block.actions.push_back(std::move(made));
+  }
+  /// Who may use something says nothing about what it does.
+  void modifiers() {
+    while (isAny({"PUBLIC", "PRIVATE", "PROTECTED", "INTERNAL", "FINAL", "ABSTRACT", "OVERRIDE"}) &&
+           peek(1).kind == TokenKind::Word && !foldedName(peek(1).text).starts_with("VAR"))
+      take();
+  }
+
+  /// `EXTENDS Base IMPLEMENTS First, Second` behind the name of a block. False: it has more than is read.
+  bool parents(const BlockSyntax& block) {
+    bool isWhole = true;
+    while (isAny({"EXTENDS", "IMPLEMENTS"}) && peek(1).kind == TokenKind::Word) {
+      const std::uint32_t begin = peek().begin;
+      const bool extends = is("EXTENDS");
+      take();
+      std::string names;
+      do names += (names.empty() ? "" : ", ") + name("a name");
+      while (accept(","));
+      if (!extends) continue;
+      isWhole = false;
+      leaveOut(begin, fmt::format("inheritance is not modelled: {} has all of {}, so its body is left out",
+                                  excerpt(block.name), excerpt(names)));
+    }
+    return isWhole;
   }
 
   void types() {
@@ -274,23 +345,32 @@ class ProjectParser : private ChartParser {
     made.kind = word == "PROGRAM"    ? BlockKind::Program
                 : word == "FUNCTION" ? BlockKind::Function
                                      : BlockKind::FunctionBlock;
+    modifiers();
     made.name = name("the name of the block");
     sink_.setPlace(made.name, 0);
     isLineLost_ = false;
     const std::string end = "END_" + word;
+    bool hasParent = false;
     try {
+      hasParent = !parents(made);
       if (made.kind == BlockKind::Function) {
         expect(":");
         made.result = type();
         accept(";");
       }
       while (peek().kind == TokenKind::Word && foldedName(peek().text).starts_with("VAR")) variables(made.variables);
-      made.isWhole = !isLineLost_;
+      made.isWhole = !isLineLost_ && !hasParent;
+      while (beginsMember()) member(made);
       if (beginsChart())
         chartStatements(chart(end), made, sink_);
       else
         bodyUntil(end, made.body);
+      while (beginsMember()) {
+        member(made);
+        bodyUntil(end, made.body);
+      }
       expect(end);
+      if (hasParent) made.body.clear();
     } catch (const Unreadable&) {
       made.isWhole = false;
       depth_ = 0;

@@ -52,7 +52,7 @@ bool StatementParser::endsStatements() const {
   if (token.kind != TokenKind::Word) return false;
   const std::string word = foldedName(token.text);
   return word.starts_with("END_") || word == "ELSE" || word == "ELSIF" || word == "UNTIL" || word == "__CATCH" ||
-         word == "__FINALLY" || word == "__ENDTRY";
+         word == "__FINALLY" || word == "__ENDTRY" || beginsMember();
 }
 
 /// `: =` with a blank is what its writer means, and no compiler takes it.

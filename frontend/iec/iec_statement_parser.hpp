@@ -28,6 +28,10 @@ class StatementParser : protected ParserCore {
   /// Lines of IL up to a word that ends a body.
   Statements listLines();
   bool endsStatements() const;
+  /// METHOD or PROPERTY with its name, and not a variable of that name.
+  bool beginsMember() const {
+    return !source_.isScl && isAny({"METHOD", "PROPERTY"}) && peek(1).kind == TokenKind::Word;
+  }
 
  private:
   Statement listLine();

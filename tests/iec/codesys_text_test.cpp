@@ -41,5 +41,64 @@ TEST(CodesysText, TruncGivesTheTypeOfItsPlace) {
             std::string::npos);
 }
 
+TEST(CodesysText, MethodsAreNamedOnceAndLeftOut) {
+  const std::string unused =
+      counting +
+      iecProgram("VAR_INPUT x : BOOL; END_VAR VAR r : BOOL; v : INT; f : CNT; END_VAR", "r := x; f(o => v);");
+  EXPECT_EQ(findingsIec(readIecText(unused)),
+            "methods are not modelled: Add of CNT is left out\nproperties are not modelled: Val of CNT is left out\n");
+  EXPECT_EQ(verdictOf(unused, "r = x and v = 0"), "PROVED");  // nobody calls what was left out
+  // FB_Init runs by itself.
+  const std::string starts =
+      "FUNCTION_BLOCK CNT\nVAR c : INT; END_VAR VAR_OUTPUT o : INT; END_VAR\no := c;\nMETHOD FB_Init : BOOL\nc := 5;\n"
+      "END_METHOD\nEND_FUNCTION_BLOCK\n";
+  EXPECT_EQ(verdictOf(starts + iecProgram("VAR v : INT; f : CNT; END_VAR", "f(o => v);"), "v = 0"), "NOT COVERED");
+  // A call may write anything, and is told where it stands.
+  const std::string used = counting + iecProgram("VAR_INPUT x : BOOL; END_VAR VAR r : BOOL; v : INT; f : CNT; END_VAR",
+                                                 "f.Add(k := 1); f(o => v);");
+  EXPECT_EQ(verdictOf(used, "v = 0"), "NOT COVERED");
+  const std::string told = findingsIec(readIecText(used));
+  EXPECT_EQ(toldTimes(told, "\n"), 3) << told;
+  EXPECT_NE(told.find("Add of CNT from outside is not modelled"), std::string::npos) << told;
+  for (const char* const statement : {"v := f.Val;", "r := f.Add(1);", "IF f.Add(1) AND x THEN v := 1; END_IF;"}) {
+    const std::string other =
+        counting + iecProgram("VAR_INPUT x : BOOL; END_VAR VAR r : BOOL; v : INT; f : CNT; END_VAR", statement);
+    EXPECT_EQ(toldTimes(findingsIec(readIecText(other)), "not modelled"), 3) << statement;
+    EXPECT_EQ(verdictOf(other, "v = 0 and not r"), "NOT COVERED") << statement;
+  }
+  // The block itself calls its method.
+  for (const char* const body : {"Add(k := 1);", "Add();", "b := Add(1);"}) {
+    const std::string own = "FUNCTION_BLOCK CNT\nVAR c : INT; b : BOOL; END_VAR VAR_OUTPUT o : INT; END_VAR\n" +
+                            std::string(body) + "\nMETHOD Add : BOOL\nc := c + 1;\nEND_METHOD\nEND_FUNCTION_BLOCK\n" +
+                            iecProgram("VAR v : INT; f : CNT; END_VAR", "f(o => v);");
+    EXPECT_EQ(verdictOf(own, "v = 0"), "NOT COVERED") << body;
+  }
+}
+
+TEST(CodesysText, InterfacesAndParentsAreNamedOnce) {
+  const std::string text =
+      "INTERFACE I1 EXTENDS I0\nMETHOD M : BOOL\nVAR_INPUT k : INT; END_VAR\nEND_METHOD\nEND_INTERFACE\n"
+      "FUNCTION_BLOCK Child EXTENDS Base IMPLEMENTS I1, I2\nVAR_OUTPUT o : INT; END_VAR\no := inherited;\n"
+      "END_FUNCTION_BLOCK\n"
+      "FUNCTION_BLOCK Other IMPLEMENTS I1\nVAR_OUTPUT o : INT; END_VAR\no := 1;\nEND_FUNCTION_BLOCK\n";
+  const std::string calls = "r := x; a(o => v);";
+  const std::string rest =
+      iecProgram("VAR_INPUT x : BOOL; END_VAR VAR r : BOOL; v : INT; a : Other; c : Child; END_VAR", calls);
+  EXPECT_EQ(findingsIec(readIecText(text + rest)),
+            "interfaces are not modelled: I1 is left out\n"
+            "inheritance is not modelled: Child has all of Base, so its body is left out\n");
+  EXPECT_EQ(verdictOf(text + rest, "r = x and v = 1"), "PROVED");
+  EXPECT_EQ(verdictOf(text + iecProgram("VAR v : INT; c : Child; END_VAR", "v := 0; c();"), "v = 0"), "NOT COVERED");
+  // A variable of an interface stands for an instance of some block.
+  EXPECT_EQ(verdictOf(text + iecProgram("VAR v : INT; i : I1; a : Other; END_VAR", "i.M(k := 1); a(o => v);"), "v = 1"),
+            "NOT COVERED");
+}
+
+TEST(CodesysText, AVariableMayBeNamedMethod) {
+  EXPECT_EQ(
+      verdictOf(iecProgram("VAR method, property : INT; END_VAR", "method := 1; property := method;"), "property = 1"),
+      "PROVED");
+}
+
 }  // namespace
 }  // namespace rungproof
