@@ -95,8 +95,11 @@ Statement StatementParser::statement() {
   try {
     Statement made = plain();
     made.span = spanFrom(begin);
-    // The last word of the one, and the brace of code in C, end them.
-    const bool isClosed = made.kind == StatementKind::Try || made.kind == StatementKind::Unread ||
+    // The last word of the one, and the brace of code in C, end them. Behind END_IF and its kin CODESYS takes none.
+    const bool isLastWord = !source_.isScl && made.kind != StatementKind::Assign &&
+                            tokens_[at_ - 1].kind == TokenKind::Word &&
+                            foldedName(tokens_[at_ - 1].text).starts_with("END_");
+    const bool isClosed = made.kind == StatementKind::Try || made.kind == StatementKind::Unread || isLastWord ||
                           (source_.isScl && made.kind == StatementKind::Label);
     if (!accept(";") && !isClosed && !endsStatements()) fail(fmt::format("';' is needed here{}", found()));
     return made;

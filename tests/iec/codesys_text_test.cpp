@@ -41,6 +41,19 @@ TEST(CodesysText, TruncGivesTheTypeOfItsPlace) {
             std::string::npos);
 }
 
+TEST(CodesysText, NoSemicolonBehindTheLastWordOfAStatement) {
+  const std::string text = iecProgram(
+      "VAR_INPUT x : BOOL; n : INT; END_VAR VAR q, r : BOOL; i, k : INT; END_VAR",
+      "IF x THEN q := TRUE; ELSE q := FALSE; END_IF\nr := x;\nk := 0;\nFOR i := 1 TO 3 DO k := k + 1; END_FOR\n"
+      "WHILE k < 5 DO k := k + 1; END_WHILE\nREPEAT k := k + 1; UNTIL k >= 7 END_REPEAT\n"
+      "CASE n OF 1: IF x THEN k := 8; END_IF 2: k := 9; END_CASE\nr := r AND x;");
+  EXPECT_EQ(findingsIec(readIecText(text)), "");
+  EXPECT_EQ(verdictOf(text, "q = x and r = x"), "PROVED");
+  EXPECT_EQ(verdictOf(text, "k = 7 or (k = 8 and n = 1 and x) or (k = 9 and n = 2)"), "PROVED");
+  EXPECT_NE(findingsIec(readIecText(iecProgram("VAR a, b : INT; END_VAR", "a := 1 b := 2;"))).find("';' is needed"),
+            std::string::npos);
+}
+
 TEST(CodesysText, MethodsAreNamedOnceAndLeftOut) {
   const std::string unused =
       counting +
