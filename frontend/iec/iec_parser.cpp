@@ -6,6 +6,7 @@
 #include <map>
 
 #include "frontend/iec/iec_chart_parser.hpp"
+#include "frontend/iec/iec_types.hpp"
 
 namespace rungproof::iec {
 
@@ -207,6 +208,9 @@ class ProjectParser : private ChartParser {
       }
     } else if (is("(")) {
       enumeration(*made);
+      // (RED := 1, GREEN) UINT: its base behind it.
+      const Type* base = peek().kind == TokenKind::Word ? elementaryType(foldedName(peek().text)) : nullptr;
+      if (base != nullptr && base->isNumber()) made->name = take().text;
     } else {
       made->name = name("a type");
       while (accept(".")) made->name += "." + name("a type");

@@ -2,8 +2,12 @@
 // < > <= >=, = <>, & AND, XOR, OR.
 #include "frontend/iec/iec_statement_parser.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
+#include <utility>
+
+#include "frontend/iec/iec_tree.hpp"
 
 namespace rungproof::iec {
 
@@ -84,7 +88,9 @@ Statements StatementParser::statements(bool inCase) {
     }
     if (endsStatements() || (inCase && isCaseLabel())) return all;
     const std::size_t before = at_;
-    all.push_back(statement());
+    Statement made = statement();
+    for (Statement& first : std::exchange(chained_, {})) all.push_back(std::move(first));
+    all.push_back(std::move(made));
     if (at_ == before) take();
   }
 }
@@ -185,9 +191,36 @@ Statement StatementParser::plain() {
       expectAssignment();
       made.kind = StatementKind::Assign;
       made.value = expression();
+      if (!source_.isScl && is(":=")) chain(made);
     }
   }
   return made;
+}
+
+/// `x := y := 5`, an extension of CODESYS: first y gets 5, then x gets y.
+void StatementParser::chain(Statement& first) {
+  std::vector<ExprPtr> targets;
+  while (is(":=")) {
+    const bool isVariable = first.value->kind == ExprKind::Path;
+    const bool hasIndex = isVariable && std::ranges::any_of(first.value->parts, [](const PathPart& part) {
+                            return part.kind == PathPart::Kind::Index;
+                          });
+    if (!isVariable) fail("only a variable stands in front of ':='");
+    if (hasIndex) fail("an element of an array in a chain of ':=' is not read: write one assignment for each variable");
+    take();
+    targets.push_back(std::move(first.value));
+    first.value = expression();
+  }
+  Statements made;
+  while (!targets.empty()) {
+    ExprPtr target = std::move(targets.back());
+    targets.pop_back();
+    ExprPtr next = copyOf(*target);
+    const Span span = target->span;
+    made.push_back(assignmentOf(std::move(target), std::move(first.value), span));
+    first.value = std::move(next);
+  }
+  chained_ = std::move(made);
 }
 
 void StatementParser::tryStatement(Statement& made) {

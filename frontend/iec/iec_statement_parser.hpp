@@ -46,6 +46,7 @@ class StatementParser : protected ParserCore {
   Statement statement();
   Statement plain();
   void expectAssignment();
+  void chain(Statement& first);
   void tryStatement(Statement& made);
   void ifStatement(Statement& made);
   void caseStatement(Statement& made);
@@ -60,6 +61,7 @@ class StatementParser : protected ParserCore {
   PathPart indexPart();
 
   int caseDepth_ = 0;
+  Statements chained_;  ///< assignments in front of the one that was read last
   struct Operators;
   int operators_ = -1;  ///< of the expression that is being read; -1: none is
 };

@@ -178,10 +178,19 @@ const Type* TypeTable::resolve(const TypeSyntax& syntax) { return make(syntax, {
 
 const Type* TypeTable::make(const TypeSyntax& syntax, const std::string& name) {
   if (syntax.form == TypeForm::Enum) {
-    Type type = elementary(Kind::Enum, name.empty() ? "enumeration" : name, 16, true, -32768, 32767);
+    const Type* base = syntax.name.empty() ? nullptr : elementaryType(foldedName(syntax.name));
+    if (base == nullptr || !base->isNumber()) base = elementaryType("INT");
+    if (base->isLong()) {
+      error(syntax.span, fmt::format("an enumeration of {} values is not modelled", base->name));
+      return nullptr;
+    }
+    Type type =
+        elementary(Kind::Enum, name.empty() ? "enumeration" : name, base->width, base->isSigned, base->low, base->high);
     std::int64_t next = 0;
     for (const auto& [item, value] : syntax.items) {
       if (value != nullptr) next = integer(*value).value_or(next);
+      if (next < base->low || next > base->high)
+        error(syntax.span, fmt::format("{} does not fit into {}, the type of the enumeration", next, base->name));
       type.items.emplace_back(item, next++);
     }
     const Type* made = add(std::move(type));

@@ -54,6 +54,42 @@ TEST(CodesysText, NoSemicolonBehindTheLastWordOfAStatement) {
             std::string::npos);
 }
 
+TEST(CodesysText, AChainAssignsFromRightToLeft) {
+  IecRun run(iecProgram("VAR a, b, c : INT; w : DINT; END_VAR", "a := 7; b := a := 5; c := b; w := c := b := c + 1;"));
+  run.scan();
+  EXPECT_EQ(run.get("a"), 5);
+  EXPECT_EQ(run.get("b"), 6);
+  EXPECT_EQ(run.get("c"), 6);
+  EXPECT_EQ(run.get("w"), 6);
+  const auto told = [](const char* statements) {
+    return findingsIec(readIecText(iecProgram("VAR a, i : INT; m : ARRAY [0..3] OF INT; END_VAR", statements)));
+  };
+  EXPECT_NE(told("a := 3 := 4;").find("only a variable stands in front of ':='"), std::string::npos);
+  EXPECT_NE(told("a := m[i] := 4;").find("write one assignment for each variable"), std::string::npos);
+}
+
+TEST(CodesysText, AnEnumerationMayHaveABase) {
+  const std::string types =
+      "TYPE Mode : (Off := 1, Hand, Auto := 40000) UINT := Hand; Small : (Low := -3, High) SINT; END_TYPE\n";
+  const std::string text =
+      types + iecProgram("VAR m : Mode; s : Small; k : (One := 1, Two) USINT := Two; x, y, z : DINT; END_VAR",
+                         "x := TO_DINT(m); y := TO_DINT(s); z := TO_DINT(k); IF m = Hand THEN m := Auto; END_IF;");
+  EXPECT_EQ(findingsIec(readIecText(text)), "");
+  IecRun run(text);
+  run.scan();
+  EXPECT_EQ(run.get("x"), 2);
+  EXPECT_EQ(run.get("y"), -3);
+  EXPECT_EQ(run.get("z"), 2);
+  run.scan();
+  EXPECT_EQ(run.get("x"), 40000);
+  EXPECT_NE(findingsIec(readIecText("TYPE T : (A := 300) SINT; END_TYPE\n" + iecProgram("VAR t : T; END_VAR", "")))
+                .find("300 does not fit into SINT, the type of the enumeration"),
+            std::string::npos);
+  EXPECT_NE(findingsIec(readIecText("TYPE T : (A) LINT; END_TYPE\n" + iecProgram("VAR t : T; END_VAR", "")))
+                .find("an enumeration of LINT values is not modelled"),
+            std::string::npos);
+}
+
 TEST(CodesysText, MethodsAreNamedOnceAndLeftOut) {
   const std::string unused =
       counting +
