@@ -127,7 +127,7 @@ void Lowering::step(Reference& at, const PathPart& part, const Expr& path) {
   }
   const std::string folded = foldedName(part.name);
   if (at.instance != nullptr) {
-    const auto member = at.instance->names.find(
+    const auto member = at.instance->memberNamed(
         at.instance->block->isLibrary ? libraryInput(at.instance->block->name, folded) : folded);
     if (member == at.instance->names.end() && folded == "ENO" && at.instance->enabled) {
       at.owner = at.instance;

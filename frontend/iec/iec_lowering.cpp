@@ -98,7 +98,7 @@ Variable Lowering::makeVariable(const VariableSyntax& syntax, const std::string&
       steps_.emplace_back(made.instance, syntax.longestClock);
     if (initial != nullptr && initial->isStructure) {
       for (const auto& [field, value] : initial->fields) {
-        const auto member = made.instance->names.find(foldedName(field));
+        const auto member = made.instance->memberNamed(foldedName(field));
         if (member == made.instance->names.end())
           refuse(value.span, fmt::format("block {} has no variable {}", made.type->name, excerpt(field)),
                  Syntax::IecName);

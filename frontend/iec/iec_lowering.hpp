@@ -48,6 +48,16 @@ struct BlockInstance {
     const auto edge = edges.find(folded);
     return edge != edges.end() ? edge->second.given : names.at(folded).offset;
   }
+  /// Whether a member belongs to the model of a block of the standard, and not to the block.
+  static bool isHidden(const BlockSyntax& block, const VariableSyntax& member) {
+    return block.isLibrary && !block.isContract && member.section == Section::Local && !block.name.starts_with("__");
+  }
+  /// A member that others may name, or the end.
+  auto memberNamed(const std::string& folded) const {
+    const auto found = names.find(folded);
+    const bool isHere = found != names.end() && found->second.declared != nullptr;
+    return isHere && isHidden(*block, *found->second.declared) ? names.end() : found;
+  }
   std::optional<std::uint32_t> enabled;  ///< place of ENO, where the project reads it as a part of an instance
   std::map<std::string, int> actions;    ///< numbers of their subroutines
 };

@@ -520,7 +520,7 @@ void Lowering::readOutputs(Scope& scope, BlockInstance& instance, const Expr& ca
   for (const Argument& argument : call.arguments) {
     const std::string name = foldedName(argument.name);
     if (!argument.isOutput || argument.value == nullptr || (name == "ENO" && !instance.names.contains(name))) continue;
-    const auto found = instance.names.find(name);
+    const auto found = instance.memberNamed(name);
     if (found == instance.names.end())
       refuse(argument.span, fmt::format("block {} has no output {}", instance.block->name, excerpt(argument.name)),
              Syntax::IecName);

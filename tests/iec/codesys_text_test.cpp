@@ -149,5 +149,24 @@ TEST(CodesysText, AVariableMayBeNamedMethod) {
       "PROVED");
 }
 
+TEST(CodesysText, WhatABlockOfTheStandardKeepsForItselfHasNoName) {
+  const auto told = [](const char* declarations, const char* statements) {
+    return findingsIec(readIecText(iecProgram(std::string("VAR x : INT; ") + declarations + " END_VAR", statements)));
+  };
+  EXPECT_NE(told("t : TON;", "x := t.STATE;").find("block TON has no variable STATE"), std::string::npos);
+  EXPECT_NE(told("t : TON;", "t.STATE := 1;").find("block TON has no variable STATE"), std::string::npos);
+  EXPECT_NE(told("t : TON;", "t(IN := TRUE, STATE => x);").find("block TON has no output STATE"), std::string::npos);
+  EXPECT_NE(told("t : TON := (STATE := 1);", "").find("block TON has no variable STATE"), std::string::npos);
+  EXPECT_NE(told("c : CTU; b : BOOL;", "b := c.M;").find("block CTU has no variable M"), std::string::npos);
+  const std::string timed =
+      iecProgram("VAR t : TON; q : BOOL; END_VAR", "t(IN := TRUE, PT := T#1s); q := t.Q AND t.ET >= T#1s AND t.IN;");
+  EXPECT_EQ(verdictOf(timed, "q = t.Q"), "PROVED");
+  // A block of the project shows its variables.
+  EXPECT_EQ(verdictOf("FUNCTION_BLOCK own\nVAR state : INT; END_VAR\nstate := 1;\nEND_FUNCTION_BLOCK\n" +
+                          iecProgram("VAR f : own; x : INT; END_VAR", "f(); x := f.state;"),
+                      "x = 1 and f.state = 1"),
+            "PROVED");
+}
+
 }  // namespace
 }  // namespace rungproof
