@@ -354,7 +354,7 @@ class Lowering {
     bool isCyclic = false;
     std::uint32_t every = 1;       ///< scans from one run to the next
     std::uint32_t counter = 0;     ///< place of the scans since, where `every` is more than 1
-    std::uint32_t phase = 0;       ///< likewise: the place whose value says in which scan it runs first
+    std::uint32_t phase = 0;       ///< likewise: the place whose value in the first scan says in which it runs first
     bool isInterruptible = false;  ///< what it shares with a task of other priority might change while it runs
   };
   std::vector<ProgramRun> runs_;  ///< parallel to programs_

@@ -170,6 +170,8 @@ void Lowering::makePrograms() {
         program_.symbols.push_back(
             {instance->name + ".PHASE", direct(Area::V, widthOfBits(number.width), run.phase), "", instance->span});
         program_.valueTypes[run.phase] = ValueType::Unsigned;
+        program_.valueLimits[run.phase] = {.width = number.width, .runs = {{1, run.every}}};
+        writeInitial(number, run.phase, {&number, 1});
         freeVariable(number, run.phase, instance->span);
       }
     } else if (program_.taskMs) {
@@ -276,7 +278,8 @@ void Lowering::startSubranges() {
   store(boolean, hasBegun);
 }
 
-/// By the reading `any` a task of a longer interval may begin in any scan of it; its program's PHASE says in which.
+/// By the reading `any` a task of a longer interval may begin in any scan of it: its program's PHASE is the number of
+/// that scan.
 void Lowering::startPhases() {
   if (std::ranges::none_of(runs_, [](const ProgramRun& run) { return run.every > 1; })) return;
   const Type& counter = *elementaryType("UDINT");
@@ -290,7 +293,9 @@ void Lowering::startPhases() {
   jumpIfFalse(end);
   for (const ProgramRun& run : runs_) {
     if (run.every <= 1) continue;
+    constant(run.every + 1, 32);
     load(counter, run.phase);
+    emit("SUB", {32});
     constant(run.every, 32);
     emit("MOD", {32, 0});
     store(counter, run.counter);

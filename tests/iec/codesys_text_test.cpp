@@ -168,5 +168,23 @@ TEST(CodesysText, WhatABlockOfTheStandardKeepsForItselfHasNoName) {
             "PROVED");
 }
 
+TEST(CodesysText, ThePhaseIsANumberOfAScan) {  // a task of 30 ms beside one of 10 ms
+  const std::string text =
+      "PROGRAM Fast\nVAR c : INT; END_VAR\nIF c < 9 THEN c := c + 1; END_IF;\nEND_PROGRAM\n"
+      "PROGRAM Slow\nVAR c : INT; END_VAR\nIF c < 9 THEN c := c + 1; END_IF;\nEND_PROGRAM\n"
+      "CONFIGURATION C\nRESOURCE R ON PLC\nTASK tf(INTERVAL := T#10ms, PRIORITY := 1);\n"
+      "TASK ts(INTERVAL := T#30ms, PRIORITY := 1);\nPROGRAM f WITH tf : Fast;\nPROGRAM s WITH ts : Slow;\n"
+      "END_RESOURCE\nEND_CONFIGURATION\n"
+      "//@ prove range: s.PHASE >= 1 and s.PHASE <= 3\n"
+      "//@ prove first: first_scan and s.PHASE = 1 implies s.c = 1\n"
+      "//@ prove second: f.c = 2 and prev(s.PHASE) = 2 implies prev(s.c) = 0 and s.c = 1\n"
+      "//@ prove third: f.c = 3 and prev(prev(s.PHASE)) = 3 implies prev(s.c) = 0 and s.c = 1\n"
+      "//@ reach last: f.c = 3 and s.c = 1 and prev(s.c) = 0\n";
+  const IecOutput output = proofOfIec(text, {"--choice", "iec-phase=any"});
+  for (const char* const part :
+       {"PROVED  range", "PROVED  first", "PROVED  second", "PROVED  third", "REACHABLE  last"})
+    EXPECT_TRUE(output.has(part)) << part << "\n" << output.text;
+}
+
 }  // namespace
 }  // namespace rungproof

@@ -333,9 +333,9 @@ TEST(IecTasks, IntervalsAndPriorities) {  // slow runs in every second scan, and
   EXPECT_EQ(slow, (Row{1, 1, 2, 2}));
   EXPECT_EQ(fast, (Row{1, 2, 3, 4}));
   EXPECT_EQ(seen, (Row{1, 1, 2, 2}));
-  // The other order is a reading that proofs cover; in phase 0 slow runs in the first scan.
+  // The other order is a reading that proofs cover; PHASE is the scan in which slow runs first.
   const IecOutput output = proofOfIec(text("") +
-                                      "//@ prove fresh: first_scan and slow.PHASE = 0 implies seen = 1\n"
+                                      "//@ prove fresh: first_scan and slow.PHASE = 1 implies seen = 1\n"
                                       "//@ prove inputs: k = 3\n");
   EXPECT_TRUE(output.has("VIOLATED  fresh") && output.has("iec-task-order") && output.has("VIOLATED  inputs"))
       << output.text;
