@@ -2,11 +2,13 @@
 // tests/rules/iec_rules_test.cpp.
 #include <fmt/format.h>
 
+#include <charconv>
 #include <optional>
 
 #include "analysis/flow/facts.hpp"
 #include "analysis/flow/variable_uses.hpp"
 #include "analysis/rule.hpp"
+#include "ir/iec/walk.hpp"
 
 namespace rungproof {
 
@@ -59,7 +61,25 @@ class ResultPaths {
 
   bool loop(const iec::Statement& one, const iec::Statements& body, bool isGiven) {
     const bool behind = list(body, isGiven).value_or(isGiven);
-    return one.kind == iec::StatementKind::Repeat ? behind : isGiven;
+    return one.kind == iec::StatementKind::Repeat || runsOnce(one) ? behind : isGiven;
+  }
+
+  /// FOR with limits that let at least one pass run, and nothing in it that ends a pass.
+  static bool runsOnce(const iec::Statement& one) {
+    if (one.kind != iec::StatementKind::For || one.by != nullptr || one.last == nullptr) return false;
+    const auto first = numberOf(*one.value), last = numberOf(*one.last);
+    bool leaves = false;
+    iec::eachStatement(one.otherwise, [&](const iec::Statement& inner, const iec::Statements&, std::size_t) {
+      leaves = leaves || inner.kind == iec::StatementKind::Exit || inner.kind == iec::StatementKind::Continue;
+    });
+    return first && last && *first <= *last && !leaves;
+  }
+  static std::optional<std::int64_t> numberOf(const iec::Expr& expr) {
+    std::int64_t number = 0;
+    const char* const end = expr.text.data() + expr.text.size();
+    const auto read = std::from_chars(expr.text.data(), end, number);
+    const bool isNumber = expr.kind == iec::ExprKind::Literal && expr.prefix.empty() && read.ptr == end;
+    return isNumber && read.ec == std::errc() ? std::optional(number) : std::nullopt;
   }
 
   bool isResult(const iec::Expr& target) const {

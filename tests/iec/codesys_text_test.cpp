@@ -186,5 +186,18 @@ TEST(CodesysText, ThePhaseIsANumberOfAScan) {  // a task of 30 ms beside one of 
     EXPECT_TRUE(output.has(part)) << part << "\n" << output.text;
 }
 
+TEST(CodesysText, ALoopThatRunsAtLeastOnceWritesTheResult) {
+  const auto lint = [](const std::string& head, const std::string& body) {
+    return runIec({"lint"}, "FUNCTION f : INT\nVAR_INPUT a, b : INT; END_VAR\nVAR i : INT; END_VAR\n" + head + " DO " +
+                                body + " END_FOR;\nEND_FUNCTION\n" +
+                                iecProgram("VAR_OUTPUT y : INT; END_VAR", "y := f(1, 2);"));
+  };
+  EXPECT_FALSE(lint("FOR i := 1 TO 3", "f := i;").has("IEC005"));
+  EXPECT_TRUE(lint("FOR i := 3 TO 1", "f := i;").has("IEC005"));
+  EXPECT_TRUE(lint("FOR i := a TO b", "f := i;").has("IEC005"));
+  EXPECT_TRUE(lint("FOR i := 1 TO 3", "IF i > 1 THEN f := i; END_IF;").has("IEC005"));
+  EXPECT_TRUE(lint("FOR i := 1 TO 3", "IF a > b THEN EXIT; END_IF; f := i;").has("IEC005"));
+}
+
 }  // namespace
 }  // namespace rungproof
