@@ -12,6 +12,8 @@
 #include "analysis/flow/statement_paths.hpp"
 #include "analysis/flow/step7_blocks.hpp"
 #include "analysis/rule.hpp"
+#include "ir/s7300/block.hpp"
+#include "ir/s7300/pointer_parameter.hpp"
 #include "ir/s7300/statement_detail.hpp"
 
 namespace rungproof {
@@ -142,6 +144,17 @@ NumberKind numberKindOf(s7300::TypeKind type) {
   }
 }
 
+NumberKind numberKindOf(DataType type) {
+  switch (type) {
+    case DataType::Int:
+    case DataType::DInt: return NumberKind::Whole;
+    case DataType::Real: return NumberKind::Real;
+    case DataType::S5Time: return NumberKind::S5Time;
+    case DataType::Time: return NumberKind::Time;
+    default: return NumberKind::Unknown;
+  }
+}
+
 /// Of a constant by its spelling, of what has a declaration by that.
 NumberKind numberKindOf(const Facts& facts, const Flow& flow, const Operand& operand) {
   const std::string_view text = operand.text;
@@ -203,6 +216,7 @@ class StatementNumbers {
     const Instruction& instruction = *flow_.steps[at].instruction;
     const StatementRole role = statementRole(instruction);
     if (role == StatementRole::Transfer && !instruction.operands.empty()) return transfer(at, instruction);
+    if (instruction.desc->control == Control::BlockCall) return call(instruction);
     const bool isPair = role == StatementRole::RealMath || role == StatementRole::IntegerMath || isComparison(role);
     const bool isSingle = role == StatementRole::IntegerStep || role == StatementRole::StartTimer;
     if (!isPair && !isSingle) return;
@@ -229,6 +243,34 @@ class StatementNumbers {
   }
 
  private:
+  /// Actual parameters have the type of the formal one (002:190).
+  void call(const Instruction& instruction) {
+    const std::uint32_t block = facts_.blockOf(instruction.id);
+    for (const std::uint32_t site : facts_.calls().callsIn(block)) {
+      const CallSite& called = facts_.calls().sites()[site];
+      if (called.instruction->id != instruction.id || called.callee == noBlock) continue;
+      const Pou& callee = facts_.program().pous[called.callee];
+      std::size_t operand = hasInstance(callee) ? 2 : 1;
+      for (const LocalVariable& formal : callee.locals) {
+        if (!isParameter(formal)) continue;
+        if (operand >= instruction.operands.size()) break;
+        const Operand& actual = instruction.operands[operand++];
+        const NumberKind wanted = numberKindOf(formal.type),
+                         given = numberKindOf(declaredTypeOf(facts_, flow_, actual));
+        if (!areMixedKinds(wanted, given)) continue;
+        Finding& finding = sink_.report(
+            actual.span, fmt::format("{} is {}, and {} of {} takes {}", facts_.name(actual), numberKindName(given),
+                                     formal.name, callee.name, numberKindName(wanted)));
+        finding.address = toString(actual);
+        finding.help = std::string(helpFor(given));
+      }
+    }
+  }
+  static std::string_view helpFor(NumberKind kind) {
+    return kind == NumberKind::S5Time || kind == NumberKind::Time
+               ? "convert it first: FC 33 makes a TIME of an S5TIME, FC 40 an S5TIME of a TIME"
+               : "convert it first: ITD and DTR make a REAL of an INT, RND and TRUNC a DINT of a REAL";
+  }
   void transfer(std::uint32_t at, const Instruction& instruction) {
     const NumberKind target = numberKindOf(facts_, flow_, instruction.operands[0]);
     if (target == NumberKind::Unknown) return;
@@ -245,9 +287,7 @@ class StatementNumbers {
     Finding& finding = sink_.report(instruction.span, std::move(message));
     finding.address = toString(load.operands[0]);
     finding.related.push_back({load.span, "it is loaded here"});
-    finding.help = kind == NumberKind::S5Time || kind == NumberKind::Time
-                       ? "convert it first: FC 33 makes a TIME of an S5TIME, FC 40 an S5TIME of a TIME"
-                       : "convert it first: ITD and DTR make a REAL of an INT, RND and TRUNC a DINT of a REAL";
+    finding.help = std::string(helpFor(kind));
   }
 
   const Facts& facts_;
@@ -272,7 +312,8 @@ extern constexpr Rule ari008_types_mixed = {
     .needs = Needs::Flow,
     .detects =
         "S7-200: a box that takes a REAL where a box of the same rung has just left a whole number, or the reverse; "
-        "S7-300/400: a calculation, comparison, transfer or timer start right behind the load of a constant, a "
+        "S7-300/400: a parameter of a call; a calculation, comparison, transfer or timer start right behind the load "
+        "of a constant, a "
         "declared parameter, variable or member of a data block of the other type: INT or DINT with REAL, S5TIME with "
         "TIME",
     .why = "nothing converts the bits: 5 taken as a REAL is nearly 0, and S5T#2S taken as a TIME is 512 ms",

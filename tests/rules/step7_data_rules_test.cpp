@@ -99,9 +99,11 @@ TEST(DataRules7, NumbersOfTwoTypesAreNotMixed) {
 TEST(DataRules7, NumbersWithADeclarationAnywhereAreNotMixed) {
   const std::string fields =
       "r : REAL;\ni : INT;\ns : S5TIME;\nt : TIME;\nar : ARRAY [1 .. 3] OF REAL;\n"
-      "st : STRUCT\nx : REAL;\nn : INT;\nEND_STRUCT;";
+      "st : STRUCT\nx : REAL;\nn : INT;\nEND_STRUCT;\nd : DINT;";
   const std::string data = db(1, fields);
   const std::string type = "TYPE UDT 1\nSTRUCT\n" + fields + "\nEND_STRUCT;\nEND_TYPE\n";
+  const std::string function =
+      fc(7, "L #x;\nL 1.0;\n>R;\n= #y;", "VAR_INPUT\nx : REAL;\nEND_VAR\nVAR_OUTPUT\ny : BOOL;\nEND_VAR\n");
   const std::string timer = "VAR\nTn : SFB 4;\nw : WORD;\nEND_VAR\n";
   const auto withType = [&](const std::string& statements) {
     return type + fc(1, statements, "VAR_INPUT\nu : UDT 1;\nEND_VAR\nVAR_TEMP\nv : UDT 1;\nEND_VAR\n");
@@ -119,6 +121,12 @@ TEST(DataRules7, NumbersWithADeclarationAnywhereAreNotMixed) {
                   {"of temporary data", 1, withType("L #v.st.x;\nT #v.st.n;")},
                   {"of an instance", 1, fb(1, "L S5T#5S;\nT #Tn.PT;", timer)},
                   {"of an instance, compared", 1, fb(1, "L #Tn.ET;\nL 5.0;\n>R;\n= M 0.0;", timer)},
+                  {"a parameter of a function", 1, data + function + ob1("CALL FC 7 (x := DB1.d, y := M 0.0);")},
+                  {"a parameter of an instance", 1,
+                   data + fb(3, "L #x;\nL 1.0;\n>R;\n= M 0.0;", "VAR_INPUT\nx : REAL;\nEND_VAR\n") +
+                       instanceDb(4, "FB 3") + ob1("CALL FB 3, DB 4 (x := DB1.d);")},
+                  {"a parameter of its type", 0, data + function + ob1("CALL FC 7 (x := DB1.r, y := M 0.0);")},
+                  {"an address as parameter", 0, data + function + ob1("CALL FC 7 (x := MD 4, y := M 0.0);")},
                   {"converted", 0, data + ob1("L DB1.i;\nITD;\nDTR;\nT DB1.r;")},
                   {"of one type", 0, data + ob1("L DB1.ar[2];\nT DB1.r;\nL DB1.i;\nT DB1.st.n;")},
                   {"half of a REAL", 0, data + ob1("L DB1.DBW 0;\nL 1;\n+I;\nT MW 0;")},
