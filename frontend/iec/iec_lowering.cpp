@@ -364,6 +364,20 @@ void Lowering::freshLocals(Scope& scope) {
 /// All that a statement may write which was not lowered; nothing: it may write anything.
 std::optional<Operands> Lowering::writtenBy(Scope& scope, const Statement& one) {
   if (one.kind == StatementKind::Line) return writtenByLine(scope, one);
+  // To read a property that was left out is a call.
+  std::set<std::string> leftOut;
+  for (const BlockSyntax& block : project_.blocks) {
+    for (const ActionSyntax& action : block.actions) {
+      if (!action.isChart) leftOut.insert(foldedName(action.name));
+    }
+  }
+  bool mayCall = false;
+  if (one.value != nullptr && !leftOut.empty()) {
+    eachPart(*one.value, [&](const Expr& expr) {
+      for (const PathPart& part : expr.parts) mayCall = mayCall || leftOut.contains(foldedName(part.name));
+    });
+  }
+  if (mayCall) return std::nullopt;
   const bool isBounded = one.kind == StatementKind::Assign ? !calls(*one.value) : one.kind == StatementKind::Unread;
   return isBounded && one.target != nullptr ? placesOf(scope, *one.target) : std::nullopt;
 }
