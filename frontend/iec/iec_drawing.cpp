@@ -8,6 +8,7 @@
 
 #include "frontend/graphical/drawn_circuit.hpp"
 #include "frontend/iec/iec_drawn_names.hpp"
+#include "frontend/iec/iec_feedback.hpp"
 #include "frontend/iec/iec_lowering.hpp"
 #include "frontend/iec/iec_parser.hpp"
 #include "frontend/iec/iec_pictures.hpp"
@@ -566,7 +567,32 @@ void drawnStatements(Program& program, const DrawnNetwork& network, Form form, B
     lost.span = network.span;
     block.body.push_back(std::move(lost));
   }
-  DrawingToStatements(program, network, form, block, sink).run();
+  const std::string names[] = {fmt::format("__feedback_{}", block.variables.size()),
+                               fmt::format("__feedback_{}", block.variables.size() + 1)};
+  const std::optional<FeedbackNetworks> cut = withFeedback(network, names[0], names[1]);
+  if (!cut) return DrawingToStatements(program, network, form, block, sink).run();
+  for (const std::string& name : names) {
+    VariableSyntax& made = block.variables.emplace_back();
+    made.name = name;
+    made.type = std::make_shared<TypeSyntax>();
+    made.type->name = "BOOL";
+    made.type->span = made.span = network.span;
+  }
+  if (cut->isSame) return DrawingToStatements(program, cut->stated, form, block, sink).run();
+  const auto drawn = [&](const DrawnNetwork& one) {
+    Statements outer = std::exchange(block.body, {});
+    DrawingToStatements(program, one, form, block, sink).run();
+    Statements made = std::exchange(block.body, std::move(outer));
+    for (Statement& s : made) {
+      s.circuit = 0;
+      s.drawn = nullptr;
+    }
+    return made;
+  };
+  Statement both = ifOf(readingOf("iec-fbd-order", "execution-id", network.span), drawn(cut->stated), network.span);
+  both.otherwise = drawn(cut->byPlace);
+  both.hasElse = true;
+  block.body.push_back(std::move(both));
 }
 
 }  // namespace rungproof::iec

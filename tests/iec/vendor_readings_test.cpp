@@ -53,6 +53,59 @@ TEST(VendorReadings, ResultsByNumberOrByPlace) {
   EXPECT_TRUE(one.has("PROVED  p") && !one.has("iec-fbd-order")) << one.text;
 }
 
+/// OR feeds AND, and AND feeds OR: q is what leaves OR, or AND.
+std::string latch(const std::string& q, const std::string& orOrder = "", const std::string& andOrder = "") {
+  const auto gate = [](int id, const std::string& type, const std::string& order, int x, int first, int second) {
+    const auto pin = [](const char* name, int from) {
+      return fmt::format(
+          "<variable formalParameter=\"{}\"><connectionPointIn><connection refLocalId=\"{}\"/></connectionPointIn>"
+          "</variable>",
+          name, from);
+    };
+    return fmt::format(
+        "<block localId=\"{}\" typeName=\"{}\" {}><position x=\"{}\" y=\"10\"/><inputVariables>{}{}"
+        "</inputVariables><inOutVariables/><outputVariables><variable formalParameter=\"OUT\"><connectionPointOut/>"
+        "</variable></outputVariables></block>\n",
+        id, type, order, x, pin("IN1", first), pin("IN2", second));
+  };
+  return inElement(1, "a", "", 10, 10) + inElement(2, "b", "", 10, 50) + gate(3, "OR", orOrder, 50, 1, 4) +
+         gate(4, "AND", andOrder, 90, 3, 2) + outElement(5, {q}, "q", "", 200, 10);
+}
+const std::vector<std::string> latchVariables = {"a:BOOL@%IX0.0", "b:BOOL@%IX0.1", "q:BOOL@%QX0.0"};
+
+// From left to right OR comes first: it takes AND of the scan before, q = a or (q and b of then). As q needs them, AND
+// comes first: it takes OR of the scan before, q = a or (q of then and b).
+TEST(VendorReadings, AWireThatClosesALoopKeepsTheValueOfBefore) {
+  const Readings readings{"iec-fbd-order", "execution-id", "position"};
+  const auto drawnLatch = [&](const std::string& property) {
+    return drawn(latchVariables, "FBD", latch("3"), property);
+  };
+  expectEach(drawnLatch("first_scan implies q = a"), readings, "PROVED", "PROVED", "PROVED", "t.xml");
+  expectEach(drawnLatch("not first_scan implies q = (a or (prev(q) and prev(b)))"), readings, "VIOLATED", "VIOLATED",
+             "PROVED", "t.xml");
+  expectEach(drawnLatch("not first_scan implies q = (a or (prev(q) and b))"), readings, "VIOLATED", "PROVED",
+             "VIOLATED", "t.xml");
+  // Where q is what leaves AND, both orders begin with OR: q = (a or q of then) and b.
+  const IecOutput one =
+      proofOf(drawn(latchVariables, "FBD", latch("4"), "q = (b and (a or (not first_scan and prev(q))))"), "t.xml", {});
+  EXPECT_TRUE(one.has("PROVED  p") && !one.has("iec-fbd-order")) << one.text;
+  // Numbers say it, too: AND is number 1.
+  expectEach(drawn(latchVariables, "FBD", latch("3", "executionOrderId=\"2\"", "executionOrderId=\"1\""),
+                   "not first_scan implies q = (a or (prev(q) and b))"),
+             readings, "VIOLATED", "PROVED", "VIOLATED", "t.xml");
+}
+
+// What would change the loop between the result and the kept value, and what is no gate, stays an error.
+TEST(VendorReadings, OtherLoopsAreErrors) {
+  const std::string named = latch("3") + inElement(7, "q", "", 10, 90) + outElement(8, {"7"}, "b", "", 90, 90);
+  const IecOutput output = proofOf(drawn(latchVariables, "FBD", named, "q = a"), "t.xml", {});
+  EXPECT_TRUE(output.has("NOT COVERED  p") && output.has("feed each other in a circle")) << output.text;
+  std::string sums = latch("3");
+  sums.replace(sums.find("\"OR\""), 4, "\"ADD\"");
+  const IecOutput added = proofOf(drawn(latchVariables, "FBD", sums, "q = a"), "t.xml", {});
+  EXPECT_TRUE(added.has("NOT COVERED  p") && added.has("feed each other in a circle")) << added.text;
+}
+
 // X -(S A)- -(R X)- -(S B)-: the third coil asks X again, or takes the flow that was.
 TEST(VendorReadings, ACoilMayAskTheContactsAgain) {
   const std::string body =
