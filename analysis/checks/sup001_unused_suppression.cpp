@@ -14,6 +14,7 @@ extern constexpr Rule sup001_unused_suppression = {
         "all of the program could be read, as rules hold back beside what could not",
     .why = "a suppression that outlived its cause would silence the next, real finding at that place",
     .peers = "ruff RUF100; eslint --report-unused-disable-directives; cppcheck unmatchedSuppression",
+    .dialects = dialect::Every | dialect::Iec,
     .surplus = true,
 };
 

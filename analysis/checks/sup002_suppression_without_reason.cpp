@@ -12,6 +12,7 @@ extern constexpr Rule sup002_suppression_without_reason = {
     .detects = "an allow-comment that names no rule, or gives no text after the rule ids; it silences nothing",
     .why = "whoever reads the program later must see what was silenced and why that is safe",
     .peers = "ruff (code required); hadolint (reason text)",
+    .dialects = dialect::Every | dialect::Iec,
 };
 
 }  // namespace rungproof

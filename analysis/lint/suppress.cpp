@@ -7,6 +7,7 @@
 #include <map>
 
 #include "analysis/rule.hpp"
+#include "ir/iec/syntax.hpp"
 
 namespace rungproof {
 
@@ -134,9 +135,13 @@ class AllowCollector {
 
   void setScope(Allow& allow) const {
     allow.scope = AllowScope::Block;
+    if (allow.network == nullptr && program_.syntax != nullptr) return setScopeInText(allow);
     if (allow.network == nullptr) return;
     const auto& instructions = allow.network->instructions;
     allow.line = program_.sources->position(allow.comment).line;
+    allow.scope = AllowScope::Line;
+    // What became of a statement says little of where its words stand.
+    if (allow.network->isStructured && isBehindCode(allow.comment)) return;
     const auto next = std::find_if(instructions.begin(), instructions.end(), [&](const Instruction& instruction) {
       return instruction.span.file == allow.comment.file &&
              program_.sources->position(instruction.span).line >= allow.line;
@@ -146,8 +151,45 @@ class AllowCollector {
       allow.scope = AllowScope::Network;
       return;
     }
-    allow.scope = AllowScope::Line;
     if (!besideOne && next != instructions.end()) allow.line = program_.sources->position(next->span).line;
+  }
+
+  /// A text without networks: its lines of code are what comments stand beside.
+  void setScopeInText(Allow& allow) const {
+    allow.scope = AllowScope::Line;
+    allow.line = program_.sources->position(allow.comment).line;
+    const auto holder =
+        std::ranges::find_if(program_.pous, [&](const Pou& pou) { return allow.comment.beginsIn(pou.span); });
+    allow.pou = holder == program_.pous.end() ? nullptr : &*holder;
+    if (isBehindCode(allow.comment)) return;
+    const std::uint32_t code = codeBehind(allow.comment);
+    for (const iec::BlockSyntax& block : program_.syntax->blocks) {
+      if (!allow.comment.beginsIn(block.span)) continue;
+      const bool hasBody = !block.body.empty() && block.body.front().span.file == allow.comment.file;
+      if (hasBody && block.body.front().span.offset <= code) continue;
+      allow.scope = AllowScope::Block;
+      allow.block = block.span;
+      return;
+    }
+    allow.line = program_.sources->position({allow.comment.file, code, 0}).line;
+  }
+  /// Whether anything stands before the comment on its line.
+  bool isBehindCode(Span comment) const {
+    const std::string_view before = program_.sources->file(comment.file).text().substr(0, comment.offset);
+    return !trimmed(before.substr(before.find_last_of('\n') + 1), blanks).empty();
+  }
+  /// Where the next thing stands that is no comment.
+  std::uint32_t codeBehind(Span comment) const {
+    const std::string_view text = program_.sources->file(comment.file).text();
+    std::size_t at = comment.offset + comment.length;
+    for (;;) {
+      at = std::min(text.find_first_not_of(blanks, at), text.size());
+      const std::string_view sign = text.substr(at, 2);
+      const std::string_view end = sign == "//" ? "\n" : sign == "(*" ? "*)" : sign == "/*" ? "*/" : "";
+      if (end.empty()) return static_cast<std::uint32_t>(at);
+      const std::size_t found = text.find(end, at + 2);
+      at = found == std::string_view::npos ? text.size() : found + end.size();
+    }
   }
 
   const Program& program_;
@@ -160,6 +202,7 @@ bool covers(const Allow& allow, const Finding& finding, const ProgramPlace& plac
   if (allow.scope == AllowScope::Line) return line == allow.line;
   if (allow.scope == AllowScope::Range)
     return allow.comment.offset < finding.span.offset && finding.span.offset < allow.until;
+  if (allow.block) return finding.span.beginsIn(*allow.block);
   return allow.scope == AllowScope::Network ? place.network == allow.network : place.pou == allow.pou;
 }
 
@@ -170,7 +213,7 @@ Finding suppressionFinding(const Allow& allow, std::string_view id, std::string 
   finding.message = std::move(message);
   finding.help = std::move(help);
   finding.span = allow.comment;
-  finding.pou = allow.pou->name;
+  if (allow.pou != nullptr) finding.pou = allow.pou->name;
   finding.network = allow.network == nullptr ? 0 : allow.network->number;
   return finding;
 }

@@ -1,11 +1,13 @@
 // Silencing of findings by comments `// rungproof: allow ADR001 REASON`. A comment behind an instruction, or alone on
 // the line before one, speaks for that instruction's line; before the first instruction of a network for the network;
-// in the head of a block for the block; between `// rungproof: begin ADR001 REASON` and `// rungproof: end` for all
-// that stands there in the file. A comment that silences nothing is a finding itself (SUP001), and so is one that names
-// no rule or gives no reason (SUP002). Tested by tests/cli/suppress_test.cpp.
+// in the head of a block for the block; in a text of IEC 61131-3, which has no networks, one alone on its line speaks
+// for the line of code below it, or in the head of a block for the block; between `// rungproof: begin ADR001 REASON`
+// and `// rungproof: end` for all that stands there in the file. A comment that silences nothing is a finding itself
+// (SUP001), and so is one that names no rule or gives no reason (SUP002). Tested by tests/cli/suppress_test.cpp.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,10 +25,11 @@ struct Allow {
   std::string reason;
   std::string problem;  ///< why it silences nothing; empty if it is well formed
   AllowScope scope = AllowScope::Line;
-  std::uint32_t line = 0;   ///< Line: the line it speaks for
-  std::uint32_t until = 0;  ///< Range: where the comment stands that ends it
-  const Pou* pou = nullptr;
+  std::uint32_t line = 0;    ///< Line: the line it speaks for
+  std::uint32_t until = 0;   ///< Range: where the comment stands that ends it
+  const Pou* pou = nullptr;  ///< nullptr: a text has it outside of what runs
   const Network* network = nullptr;
+  std::optional<Span> block;  ///< Block, of a text: the whole of it
 };
 
 /// All allow-comments of a program, in program order; comments that do not begin with "rungproof:" are not among them.

@@ -38,8 +38,8 @@ bool isStep7Area(std::string_view word) {
 
 class IecLexer {
  public:
-  IecLexer(const SourceText& source, SyntaxSink& sink, std::vector<Directive>& directives)
-      : source_(source), text_(source.text), sink_(sink), directives_(directives) {}
+  IecLexer(const SourceText& source, SyntaxSink& sink, std::vector<Directive>& directives, std::vector<Span>* comments)
+      : source_(source), text_(source.text), sink_(sink), directives_(directives), comments_(comments) {}
 
   std::vector<IecToken> run() {
     std::vector<IecToken> tokens;
@@ -59,7 +59,9 @@ class IecLexer {
         ++at_;
       } else if (sees("//")) {
         const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-        comment(trimmed(text_.substr(at_, end - at_)));
+        const std::string_view line = trimmed(text_.substr(at_, end - at_));
+        comment(line);
+        keep(at_, at_ + line.size());
         at_ = end;
       } else if (sees("(*DBG:")) {
         // What OpenPLC appends for its debugger: C, in which *) may stand, a comment for each line.
@@ -134,6 +136,7 @@ class IecLexer {
     const std::size_t firstEnd = end ? *end : text_.find(close, first + 2);
     isFlat_ = !end;
     at_ = end ? *end : firstEnd == std::string_view::npos ? text_.size() : firstEnd + 2;
+    keep(first, at_);
     if (firstEnd == std::string_view::npos)
       sink_.report(source_.mistake(),
                    source_.span(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(first) + 2),
@@ -146,6 +149,10 @@ class IecLexer {
       comment(line);
       inner.remove_prefix(std::min(end + 1, inner.size()));
     }
+  }
+  void keep(std::size_t begin, std::size_t end) {
+    if (comments_ != nullptr)
+      comments_->push_back(source_.span(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)));
   }
   void comment(std::string_view line) {
     const auto directive = directiveText(line);
@@ -276,14 +283,16 @@ class IecLexer {
   std::string_view text_;
   SyntaxSink& sink_;
   std::vector<Directive>& directives_;
+  std::vector<Span>* comments_;
   bool isFlat_ = false;  ///< comments do not stand in comments
   std::size_t at_ = 0;
 };
 
 }  // namespace
 
-std::vector<IecToken> tokensOf(const SourceText& source, SyntaxSink& sink, std::vector<Directive>& directives) {
-  return IecLexer(source, sink, directives).run();
+std::vector<IecToken> tokensOf(const SourceText& source, SyntaxSink& sink, std::vector<Directive>& directives,
+                               std::vector<Span>* comments) {
+  return IecLexer(source, sink, directives, comments).run();
 }
 
 }  // namespace rungproof::iec

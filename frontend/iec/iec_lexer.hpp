@@ -34,7 +34,8 @@ struct SourceText {
   Span span(std::uint32_t begin, std::uint32_t end) const;
 };
 
-/// The last token is End.
-std::vector<IecToken> tokensOf(const SourceText& source, SyntaxSink& sink, std::vector<Directive>& directives);
+/// The last token is End. `comments`: whole, with their signs, in the order of the text.
+std::vector<IecToken> tokensOf(const SourceText& source, SyntaxSink& sink, std::vector<Directive>& directives,
+                               std::vector<Span>* comments = nullptr);
 
 }  // namespace rungproof::iec

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "frontend/iec/iec_suppressions.hpp"
 #include "frontend/iec/iec_value_limits.hpp"
 #include "ir/iec/cpu.hpp"
 #include "ir/iec/dialect.hpp"
@@ -522,6 +523,7 @@ void buildIecProgram(Program& program, ProjectSyntax& project) {
   addStandardBlocks(program, project);
   addContracts(program, project);
   Lowering(program, project, file).run();
+  addSuppressions(program, project);
   program.syntax = std::make_shared<const ProjectSyntax>(std::move(project));
 }
 
