@@ -60,10 +60,13 @@ void CheckedDocument::chooseFiles(const Context& context, const std::string& pat
   if (!isPropertyFile) files_ = {path};
   if (settings_.inputs().empty()) return;
   const std::vector<std::string> inputs = expandFolders(settings_.inputs(), settings_);
-  const bool isProperty = isPropertyFile && holds(settings_.propertyFiles(), path);
-  if (!isProperty && !holds(inputs, path)) return;
+  const bool isShared =
+      isPropertyFile ? holds(settings_.propertyFiles(), path) : holds(settings_.list(Opt::Symbols), path);
+  // A property file that only lies beside a program speaks of all of it.
+  const std::string& program = isPropertyFile && !files_.empty() ? files_.front() : path;
+  if (!isShared && !holds(inputs, program)) return;
   for (const std::vector<std::string>& group : groupByProgram(context, inputs)) {
-    if (!isProperty && !holds(group, path)) continue;
+    if (!isShared && !holds(group, program)) continue;
     files_ = group;
     return;
   }

@@ -1,6 +1,8 @@
 // Finding what stands at a place.
 #include "frontend/editor/cursor.hpp"
 
+#include "frontend/editor/property_words.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -52,6 +54,15 @@ void findInProperties(const CheckedDocument& document, std::uint32_t offset, Cur
         cursor.span = node.span;
       }
     }
+  }
+  if (cursor.operand) return;
+  // A statement with a mistake names things all the same.
+  for (const PropertyWord& word : propertyWordsOf(document)) {
+    if (!document.isHere(word.span) || !touches(word.span, offset)) continue;
+    const std::optional<Operand> meant = lookupIn(document.program())(word.text);
+    if (!meant) continue;
+    cursor.operand = meant;
+    cursor.span = word.span;
   }
 }
 

@@ -8,6 +8,8 @@
 #include <set>
 #include <tuple>
 
+#include "frontend/editor/property_words.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -127,6 +129,43 @@ void addUses(const Cursor& cursor, bool onlyWriters, Places& places) {
   }
 }
 
+/// Whether a word of a property means bits of the address.
+bool means(const OperandLookup& lookup, const PropertyWord& word, const Operand& address) {
+  const std::optional<Operand> meant = lookup(word.text);
+  if (!meant || !(meant->isMemory() || meant->kind == OperandKind::Address)) return false;
+  const auto entryOf = [](const Operand& operand) {
+    XrefEntry entry;
+    entry.area = operand.area;
+    entry.width = operand.width;
+    entry.offset = operand.offset;
+    entry.bit = operand.width == Width::Bit && !addressedByNumber(operand.area) ? operand.bit : 0;
+    return entry;
+  };
+  const XrefEntry a = entryOf(*meant), b = entryOf(address);
+  return a.area == b.area && a.firstBit() < b.endBit() && b.firstBit() < a.endBit();
+}
+
+void addUsesInProperties(const Cursor& cursor, Places& places) {
+  if (cursor.operand->area == Area::L) return;
+  const CheckedDocument& document = places.document();
+  const OperandLookup lookup = lookupIn(document.program());
+  for (const PropertyWord& word : propertyWordsOf(document)) {
+    if (means(lookup, word, *cursor.operand)) places.add(word.span);
+  }
+}
+
+/// In property files that lie beside the program but are not read with it.
+void addUsesBeside(const CheckedDocument& document, const Operand& address, Json& locations) {
+  if (address.area == Area::L) return;
+  const OperandLookup lookup = lookupIn(document.program());
+  for (const PropertyFileBeside& beside : propertyFilesBeside(document)) {
+    for (const PropertyWord& word : beside.words) {
+      if (means(lookup, word, address))
+        locations.push_back({{"uri", beside.uri}, {"range", rangeJson(*beside.file, word.span)}});
+    }
+  }
+}
+
 void addCalls(const Cursor& cursor, Places& places) {
   const CheckedDocument& document = places.document();
   const Type type = *cursor.routine();
@@ -193,14 +232,18 @@ void addReferences(const Cursor& cursor, bool withDeclaration, Places& places) {
   if (!isAddress(cursor)) return;
   if (withDeclaration) addDeclarations(cursor, places);
   addUses(cursor, false, places);
+  addUsesInProperties(cursor, places);
 }
 
 }  // namespace
 
 Json referencesAt(const CheckedDocument& document, ClientPlace place, bool withDeclaration) {
   Places places(document);
-  addReferences(cursorAt(document, document.offset(place)), withDeclaration, places);
-  return places.locations();
+  const Cursor cursor = cursorAt(document, document.offset(place));
+  addReferences(cursor, withDeclaration, places);
+  Json locations = places.locations();
+  if (isAddress(cursor)) addUsesBeside(document, *cursor.operand, locations);
+  return locations;
 }
 
 Json highlightsAt(const CheckedDocument& document, ClientPlace place) {

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
+#include <tuple>
 
 #include "frontend/editor/text_rename.hpp"
 #include "frontend/stl/operand_reader.hpp"
@@ -113,13 +115,6 @@ class Renaming {
     for (const Symbol& symbol : document_.program().symbols) {
       if (equalsIgnoringCase(symbol.name, named_.name)) addFirstWord(symbol.span);
     }
-    for (const Property& property : document_.properties().properties) {
-      for (const Expr* expression : {&property.first, &property.second}) {
-        for (const ExprNode& node : expression->nodes) {
-          if (node.op == ExprOp::Address && !node.operand.text.empty()) addWords(node.span);
-        }
-      }
-    }
   }
 
   void addFirstWord(Span span) {
@@ -203,11 +198,35 @@ std::string nameFault(const CheckedDocument& document, const NameAtCursor& named
 
 namespace {
 
-Json workspaceEdit(const CheckedDocument& document, const std::vector<Span>& places, std::string_view name) {
+using NameInWord = std::function<std::optional<Span>(const PropertyWord&)>;
+
+/// Edits at those places, and in all properties of the program: also in those of files that lie beside it.
+Json workspaceEdit(const CheckedDocument& document, std::vector<Span> places, const NameInWord& inProperty,
+                   std::string_view name) {
   Json changes = Json::object();
+  if (inProperty) {
+    for (const PropertyWord& word : propertyWordsOf(document)) {
+      if (const auto span = inProperty(word)) places.push_back(*span);
+    }
+    for (const PropertyFileBeside& beside : propertyFilesBeside(document)) {
+      for (const PropertyWord& word : beside.words) {
+        if (const auto span = inProperty(word))
+          changes[beside.uri].push_back({{"range", rangeJson(*beside.file, *span)}, {"newText", name}});
+      }
+    }
+  }
+  std::ranges::sort(places, {}, [](Span span) { return std::tuple(span.file, span.offset, span.length); });
+  places.erase(std::unique(places.begin(), places.end()), places.end());
   for (const Span& span : places)
     changes[document.uriOf(span.file)].push_back({{"range", document.range(span)}, {"newText", name}});
   return {{"changes", std::move(changes)}};
+}
+
+NameInWord firstNameIs(std::string name) {
+  return [name = std::move(name)](const PropertyWord& word) {
+    const Span first = firstNameOf(word);
+    return equalsIgnoringCase(textOf(word, first), name) ? std::optional(first) : std::nullopt;
+  };
 }
 
 }  // namespace
@@ -232,7 +251,8 @@ std::variant<Json, std::string> renameAt(const CheckedDocument& document, Client
     auto places = placesOfVariable(document, document.offset(place));
     if (std::string* fault = std::get_if<std::string>(&places)) return std::move(*fault);
     if (std::string fault = variableFault(document, document.offset(place), name); !fault.empty()) return fault;
-    return workspaceEdit(document, std::get<std::vector<Span>>(places), name);
+    VariablePlaces& found = std::get<VariablePlaces>(places);
+    return workspaceEdit(document, std::move(found.spans), found.inProperty, name);
   }
   if (isSclText(document)) return std::string("names in SCL are not changed here");
   const NameAtCursor named = namedAt(document, place);
@@ -243,7 +263,13 @@ std::variant<Json, std::string> renameAt(const CheckedDocument& document, Client
   if (hasScl && named.kind == NameKind::Symbol)
     return std::string("a body in SCL may name it too; names in SCL are not changed here");
   if (std::string fault = nameFault(document, named, name); !fault.empty()) return fault;
-  return workspaceEdit(document, Renaming(document, named).places(), name);
+  const bool isSymbol = named.kind == NameKind::Symbol;
+  if (isSymbol && document.program().pous.empty())
+    return std::string(
+        "no program that uses the table is known: rename the symbol in the program, or name the program under 'inputs' "
+        "in rungproof.toml");
+  return workspaceEdit(document, Renaming(document, named).places(), isSymbol ? firstNameIs(named.name) : NameInWord(),
+                       name);
 }
 
 }  // namespace rungproof

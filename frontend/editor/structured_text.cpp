@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "frontend/files/disk_file.hpp"
 #include "frontend/files/file_reader.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 
@@ -101,12 +102,30 @@ bool isSclText(const CheckedDocument& document) {
   });
 }
 
-std::vector<iec::IecToken> tokensOf(const CheckedDocument& document) {
+std::vector<iec::IecToken> tokensOf(const CheckedDocument& document) { return tokensOf(document, document.file()); }
+
+std::vector<iec::IecToken> tokensOf(const CheckedDocument& document, std::uint32_t file, std::vector<Span>* comments) {
   Program unheard;
-  SyntaxSink sink(unheard, document.file());
+  SyntaxSink sink(unheard, file);
   std::vector<Directive> directives;
-  return iec::tokensOf({.text = document.source().text(), .file = document.file(), .isScl = isSclText(document)}, sink,
-                       directives);
+  return iec::tokensOf(
+      {.text = document.program().sources->file(file).text(), .file = file, .isScl = isSclText(document)}, sink,
+      directives, comments);
+}
+
+std::vector<std::uint32_t> structuredTextsOf(const CheckedDocument& document) {
+  std::vector<std::uint32_t> files;
+  if (formOf(document.program().target) != StatementForm::Expressions) return files;
+  const SourceSet& sources = *document.program().sources;
+  for (std::uint32_t file = 0; file < sources.size(); ++file) {
+    const bool isOfProgram = std::ranges::any_of(document.files(), [&](const std::string& name) {
+      return nameInProject(name, document.settings().root()) == sources.file(file).name();
+    });
+    if (isOfProgram && !endsInAny(sources.file(file).name(), {".xml", ".prop"})) files.push_back(file);
+  }
+  const auto own = std::ranges::find(files, document.file());
+  if (own != files.end()) std::rotate(files.begin(), own, own + 1);
+  return files;
 }
 
 }  // namespace rungproof

@@ -25,7 +25,11 @@ const TextWord* structuredTextWord(std::string_view text);
 bool isStructuredText(const CheckedDocument& document);
 /// Whether bodies in SCL stand in the document. Its instructions are not what its words are.
 bool isSclText(const CheckedDocument& document);
-/// The tokens of such a document; what is wrong with it is not said again.
+/// The tokens of such a document, or of another file of its program; what is wrong with it is not said again.
 std::vector<iec::IecToken> tokensOf(const CheckedDocument& document);
+std::vector<iec::IecToken> tokensOf(const CheckedDocument& document, std::uint32_t file,
+                                    std::vector<Span>* comments = nullptr);
+/// The files of the program that are texts of IEC 61131-3; the document, if it is one, is the first.
+std::vector<std::uint32_t> structuredTextsOf(const CheckedDocument& document);
 
 }  // namespace rungproof

@@ -1,11 +1,12 @@
-// The variable is found by the tokens of its block: declared between VAR and END_VAR, used anywhere but behind a point
-// and as a formal parameter.
+// The variable is found by the tokens of its block: declared between VAR and END_VAR, used anywhere but where the name
+// stands for something else: behind a point, as a formal parameter, as a type or a block.
 #include "frontend/editor/text_rename.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "frontend/editor/text_blocks.hpp"
 #include "frontend/stl/operand_reader.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 
@@ -14,134 +15,119 @@ namespace rungproof {
 namespace {
 
 using iec::IecToken;
-using iec::TokenKind;
-
-bool isWord(const IecToken& token, std::string_view word) {
-  return token.kind == TokenKind::Word && equalsIgnoringCase(token.text, word);
-}
-
-/// A PROGRAM, FUNCTION or FUNCTION_BLOCK: its tokens, from its first word to its END.
-struct TextBlock {
-  std::string_view name;
-  bool isProgram = false;
-  std::size_t begin = 0, end = 0;
-};
-
-std::vector<TextBlock> textBlocksOf(const std::vector<IecToken>& tokens) {
-  std::vector<TextBlock> blocks;
-  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
-    for (const std::string_view word : {"PROGRAM", "FUNCTION", "FUNCTION_BLOCK"}) {
-      if (!isWord(tokens[i], word)) continue;
-      const std::string last = "END_" + std::string(word);
-      std::size_t end = i;
-      while (end + 1 < tokens.size() && !isWord(tokens[end], last)) ++end;
-      // "PROGRAM P1 WITH Task : Main;" in a configuration is no block.
-      if (!isWord(tokens[end], last)) continue;
-      blocks.push_back({tokens[i + 1].text, word == "PROGRAM", i, end});
-      i = end;
-      break;
-    }
-  }
-  return blocks;
-}
-
-/// The section that declares a name of the block: "VAR_INPUT"; empty if none does.
-std::string_view sectionOf(const std::vector<IecToken>& tokens, const TextBlock& block, std::string_view name) {
-  std::string_view section;
-  bool declares = false;  // before the colon
-  for (std::size_t i = block.begin; i < block.end; ++i) {
-    const TextWord* const word = tokens[i].kind == TokenKind::Word ? structuredTextWord(tokens[i].text) : nullptr;
-    if (word != nullptr && word->word.starts_with("VAR")) {
-      section = word->word;
-      declares = true;
-    } else if (isWord(tokens[i], "END_VAR")) {
-      section = {};
-      declares = false;
-    } else if (tokens[i].text == ":") {
-      declares = false;
-    } else if (tokens[i].text == ";") {
-      declares = !section.empty();
-    } else if (declares && isWord(tokens[i], name)) {
-      return section;
-    }
-  }
-  return {};
-}
-
-bool isMember(const std::vector<IecToken>& tokens, std::size_t i) { return i > 0 && tokens[i - 1].text == "."; }
-
-/// "IN" of "T1(IN := x)": the tokens of the block say how deep in parentheses it stands.
-bool isFormal(const std::vector<IecToken>& tokens, std::size_t i, int depth) {
-  return depth > 0 && i + 1 < tokens.size() && (tokens[i + 1].text == ":=" || tokens[i + 1].text == "=>");
-}
 
 struct Found {
+  std::uint32_t file = 0;
   std::vector<IecToken> tokens;
   TextBlock block;
   std::string_view name;
 };
+constexpr std::string_view nothingThere = "nothing there has a name that can be changed";
 
-/// The variable, or why there is none.
-std::variant<Found, std::string> foundAt(const CheckedDocument& document, std::uint32_t offset) {
-  Found found{tokensOf(document), {}, {}};
+/// The variable of a program that a property names at an offset of the document.
+std::variant<Found, std::string> foundInProperty(const CheckedDocument& document, const PropertyWord& word,
+                                                 std::uint32_t offset) {
+  const Span first = firstNameOf(word), second = secondNameOf(word);
+  const auto isIn = [&](Span part) { return part.offset <= offset && offset <= part.offset + part.length; };
+  std::optional<Found> found;
+  for (const std::uint32_t file : structuredTextsOf(document)) {
+    const std::vector<IecToken> tokens = tokensOf(document, file);
+    for (const TextBlock& block : textBlocksOf(tokens)) {
+      if (!block.isProgram) continue;
+      const bool isQualified = second.length > 0 && equalsIgnoringCase(textOf(word, first), block.name) &&
+                               !sectionOf(tokens, block, textOf(word, second)).empty();
+      const Span part = isQualified ? second : first;
+      const std::string_view name = textOf(word, part);
+      if (!isIn(part) || sectionOf(tokens, block, name).empty()) continue;
+      if (found) return fmt::format("{} and {} both declare '{}'", found->block.name, block.name, name);
+      found = Found{file, tokens, block, name};
+    }
+  }
+  if (!found) return std::string(nothingThere);
+  return std::move(*found);
+}
+
+std::variant<Found, std::string> foundInText(const CheckedDocument& document, std::uint32_t offset) {
+  Found found{document.file(), tokensOf(document), {}, {}};
   for (const TextBlock& block : textBlocksOf(found.tokens)) {
-    int depth = 0;
-    for (std::size_t i = block.begin; i < block.end; ++i) {
-      const IecToken& token = found.tokens[i];
-      depth += token.text == "(" ? 1 : token.text == ")" ? -1 : 0;
-      if (token.kind != TokenKind::Word || token.begin > offset || offset > token.end) continue;
-      if (isMember(found.tokens, i) || isFormal(found.tokens, i, depth)) continue;
+    for (BlockWalk walk(found.tokens, block); !walk.atEnd(); walk.next()) {
+      const IecToken& token = found.tokens[walk.index()];
+      if (token.begin > offset || offset > token.end || !walk.isVariable(document.program().syntax.get())) continue;
       found.block = block;
       found.name = token.text;
     }
   }
-  const std::string_view section = found.name.empty() ? "" : sectionOf(found.tokens, found.block, found.name);
-  if (section.empty()) return std::string("nothing there has a name that can be changed");
-  const bool isInside = section == "VAR" || section == "VAR_TEMP" || found.block.isProgram;
-  if (!isInside || section == "VAR_GLOBAL" || section == "VAR_EXTERNAL")
-    return fmt::format("'{}' is declared in {}: other blocks name it too", found.name, section);
+  if (found.name.empty()) return std::string(nothingThere);
   return found;
 }
 
-/// The part of an address in a property that names the variable: "Motor", "P.Motor", "T1" of "T1.Q".
-void addOfProperties(const CheckedDocument& document, const Found& found, std::vector<Span>& places) {
-  for (const Property& property : document.properties().properties) {
-    for (const Expr* expression : {&property.first, &property.second}) {
-      for (const ExprNode& node : expression->nodes) {
-        if (node.op != ExprOp::Address || !document.isHere(node.span)) continue;
-        const std::string_view text = document.source().text(node.span);
-        const std::size_t point = text.find('.');
-        const bool isQualified =
-            point != std::string_view::npos && equalsIgnoringCase(text.substr(0, point), found.block.name);
-        const std::size_t begin = isQualified ? point + 1 : 0;
-        const std::size_t end = std::min(text.find_first_of(".[", begin), text.size());
-        if (equalsIgnoringCase(text.substr(begin, end - begin), found.name))
-          places.push_back({document.file(), node.span.offset + static_cast<std::uint32_t>(begin),
-                            static_cast<std::uint32_t>(end - begin)});
-      }
-    }
+/// The variable, or why there is none.
+std::variant<Found, std::string> foundAt(const CheckedDocument& document, std::uint32_t offset) {
+  const std::vector<PropertyWord> words = propertyWordsOf(document);
+  const auto word = std::ranges::find_if(words, [&](const PropertyWord& one) {
+    return document.isHere(one.span) && one.span.offset <= offset && offset <= one.span.offset + one.span.length;
+  });
+  auto result = word == words.end() ? foundInText(document, offset) : foundInProperty(document, *word, offset);
+  const Found* const found = std::get_if<Found>(&result);
+  if (found == nullptr) return result;
+  const std::string_view section = sectionOf(found->tokens, found->block, found->name);
+  if (section.empty()) return std::string(nothingThere);
+  const bool isInside = section == "VAR" || section == "VAR_TEMP" || found->block.isProgram;
+  if (!isInside || section == "VAR_GLOBAL" || section == "VAR_EXTERNAL")
+    return fmt::format("'{}' is declared in {}: other blocks name it too", found->name, section);
+  return result;
+}
+
+/// The part of a word in a property that names the variable: of "Motor", "P.Motor", "T1.Q".
+std::optional<Span> nameIn(const PropertyWord& word, std::string_view block, std::string_view name) {
+  const Span first = firstNameOf(word), second = secondNameOf(word);
+  if (second.length > 0 && equalsIgnoringCase(textOf(word, first), block) &&
+      equalsIgnoringCase(textOf(word, second), name))
+    return second;
+  return equalsIgnoringCase(textOf(word, first), name) ? std::optional(first) : std::nullopt;
+}
+
+/// Whether a property names it behind the name of an instance.
+bool isMemberIn(const PropertyWord& word, std::string_view name) {
+  for (std::size_t at = word.text.find('.'); at != std::string_view::npos; at = word.text.find('.', at + 1)) {
+    const std::string_view part = word.text.substr(at + 1);
+    if (equalsIgnoringCase(part.substr(0, part.find_first_of(".[")), name)) return true;
   }
+  return false;
 }
 
 }  // namespace
 
-std::variant<std::vector<Span>, std::string> placesOfVariable(const CheckedDocument& document, std::uint32_t offset) {
+std::variant<VariablePlaces, std::string> placesOfVariable(const CheckedDocument& document, std::uint32_t offset) {
   std::variant<Found, std::string> result = foundAt(document, offset);
   if (std::string* fault = std::get_if<std::string>(&result)) return std::move(*fault);
   const Found& found = std::get<Found>(result);
-  std::vector<Span> places;
-  addOfProperties(document, found, places);
-  const bool isNamedOutside = !places.empty();
-  for (const TextBlock& other : textBlocksOf(found.tokens)) {
-    if (isNamedOutside && other.begin != found.block.begin && !sectionOf(found.tokens, other, found.name).empty())
-      return fmt::format("{} declares '{}' too, and properties name it", other.name, found.name);
+  VariablePlaces places;
+  places.name = found.name;
+  if (found.block.isProgram)
+    places.inProperty = [block = std::string(found.block.name), name = std::string(found.name)](
+                            const PropertyWord& word) { return nameIn(word, block, name); };
+  std::vector<PropertyWord> words = propertyWordsOf(document);
+  const std::vector<PropertyFileBeside> beside = propertyFilesBeside(document);
+  for (const PropertyFileBeside& file : beside) words.insert(words.end(), file.words.begin(), file.words.end());
+  bool isNamedOutside = false;
+  for (const PropertyWord& word : words) {
+    if (!found.block.isProgram && isMemberIn(word, found.name))
+      return fmt::format("properties name '{}' of an instance", found.name);
+    isNamedOutside = isNamedOutside || (places.inProperty && places.inProperty(word));
   }
-  int depth = 0;
-  for (std::size_t i = found.block.begin; i < found.block.end; ++i) {
-    const IecToken& token = found.tokens[i];
-    depth += token.text == "(" ? 1 : token.text == ")" ? -1 : 0;
-    if (!isWord(token, found.name) || isMember(found.tokens, i) || isFormal(found.tokens, i, depth)) continue;
-    places.push_back({document.file(), token.begin, token.end - token.begin});
+  for (const std::uint32_t file : structuredTextsOf(document)) {
+    const std::vector<IecToken> tokens = file == found.file ? found.tokens : tokensOf(document, file);
+    for (const TextBlock& other : textBlocksOf(tokens)) {
+      const bool isOther = file != found.file || other.begin != found.block.begin;
+      if (isNamedOutside && isOther && !sectionOf(tokens, other, found.name).empty())
+        return fmt::format("{} declares '{}' too, and properties name it", other.name, found.name);
+    }
+  }
+  for (BlockWalk walk(found.tokens, found.block); !walk.atEnd(); walk.next()) {
+    const IecToken& token = found.tokens[walk.index()];
+    if (isWord(token, found.name) && walk.isVariable(document.program().syntax.get()))
+      places.spans.push_back({found.file, token.begin, token.end - token.begin});
   }
   return places;
 }

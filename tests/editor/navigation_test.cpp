@@ -37,7 +37,7 @@ TEST_F(NavigationTest, CallsAndJumpsLeadToBlocksAndLabels) {
 }
 
 TEST_F(NavigationTest, ReferencesAreReadersAndWriters) {
-  EXPECT_EQ(references(6, 3, false), (Ranges{"6:2-6:6", "9:3-9:7"}));
+  EXPECT_EQ(references(6, 3, false), (Ranges{"6:2-6:6", "9:3-9:7", "3:28-3:32"}));  // the property names it too
   EXPECT_EQ(references(26, 4, false), (Ranges{"15:2-15:6", "26:3-26:7"}));
   EXPECT_EQ(references(1, 0, true), Ranges{});
 }
@@ -49,7 +49,7 @@ TEST_F(NavigationTest, HighlightsTellReadersFromWriters) {
     for (const Json& item : list.items()) rows.push_back(rangeText(at(item, "range")) + " " + numberAt(item, "kind"));
     return rows;
   };
-  EXPECT_EQ(highlights(6, 3), (Ranges{"6:2-6:6 3", "9:3-9:7 2"}));  // = Q0.0 and AN Q0.0
+  EXPECT_EQ(highlights(6, 3), (Ranges{"6:2-6:6 3", "9:3-9:7 2", "3:28-3:32 2"}));  // = Q0.0, AN Q0.0, property
   EXPECT_EQ(highlights(19, 4), (Ranges{"21:0-21:5 1", "19:4-19:5 1"}));
   EXPECT_EQ(highlights(1, 0), Ranges{});
 }
