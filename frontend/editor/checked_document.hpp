@@ -10,6 +10,8 @@
 //   formatting       the statements in columns
 //   completion       what may stand there
 //   code_action      mending and silencing what is wrong
+//   property_words   the names in properties
+//   structured_navigation  names in texts of IEC 61131-3
 //   proof            "prove this property"
 //   coverage_hints   what the tests beside it cover
 // A part is a function of a CheckedDocument and a place, and knows nothing of messages; editor_server.cpp does.

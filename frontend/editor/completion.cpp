@@ -7,12 +7,14 @@
 #include <array>
 #include <set>
 
+#include "frontend/editor/structured_navigation.hpp"
 #include "frontend/editor/structured_text.hpp"
 #include "frontend/files/file_reader.hpp"
 #include "frontend/property/property_types.hpp"
 #include "frontend/settings/code_list.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 #include "ir/dialect.hpp"
+#include "ir/iec/syntax.hpp"
 
 namespace rungproof {
 
@@ -101,9 +103,37 @@ void offerAddresses(const CheckedDocument& document, const OperandDesc* wanted, 
   }
 }
 
-/// IEC 61131-3: the variables of the program and the words of ST.
-void offerVariables(const CheckedDocument& document, Offers& offers) {
-  for (const Symbol& symbol : document.program().symbols) offers.add(symbol.name, ItemKind::Variable, {});
+/// IEC 61131-3: what an instance shows to those who have it.
+void offerMembers(const CheckedDocument& document, const DeclaredName& instance, Offers& offers) {
+  const iec::ProjectSyntax* const project = document.program().syntax.get();
+  if (project == nullptr) return;
+  for (const iec::BlockSyntax& block : project->blocks) {
+    if (!equalsIgnoringCase(block.name, instance.type)) continue;
+    for (const iec::VariableSyntax& variable : block.variables) {
+      const bool isSeen = variable.section == iec::Section::Input || variable.section == iec::Section::Output ||
+                          variable.section == iec::Section::InOut;
+      if (isSeen) offers.add(fmt::format("{}.{}", instance.name, variable.name), ItemKind::Field, block.name);
+    }
+  }
+}
+
+/// IEC 61131-3: the variables of the block that the place is in, what all blocks see, and the words of ST.
+void offerVariables(const CheckedDocument& document, std::uint32_t offset, Offers& offers) {
+  const auto offer = [&](const DeclaredName& variable) {
+    offers.add(variable.name, ItemKind::Variable, variable.type);
+    offerMembers(document, variable, offers);
+  };
+  for (const DeclaredBlock& block : declaredBlocksOf(document)) {
+    if (block.span.offset > offset || offset > block.span.offset + block.span.length) continue;
+    for (const DeclaredName& variable : block.variables) offer(variable);
+  }
+  for (const DeclaredName& variable : declaredGlobalsOf(document)) offer(variable);
+  if (const iec::ProjectSyntax* const project = document.program().syntax.get()) {
+    for (const iec::BlockSyntax& block : project->blocks) {
+      if (block.kind != iec::BlockKind::Program && !block.name.starts_with("__"))
+        offers.add(block.name, ItemKind::Function, block.isLibrary ? "standard block" : "block of the program");
+    }
+  }
   for (const TextWord& word : structuredTextWords()) offers.add(word.word, ItemKind::Keyword, "structured text");
 }
 
@@ -121,6 +151,23 @@ void offerRoutines(const CheckedDocument& document, Type type, std::uint32_t off
       }
     }
   }
+}
+
+/// Whether the place is within a comment or a text of structured text, where no word is offered.
+bool isInert(const CheckedDocument& document, std::uint32_t offset) {
+  std::vector<Span> comments;
+  const std::vector<iec::IecToken> tokens = tokensOf(document, document.file(), &comments);
+  const auto holds = [&](std::uint32_t begin, std::uint32_t end, bool isOpen) {
+    return begin < offset && (offset < end || (isOpen && offset == end));
+  };
+  return std::ranges::any_of(comments,
+                             [&](Span span) {
+                               const bool isLine = document.source().text(span).starts_with("//");
+                               return holds(span.offset, span.offset + span.length, isLine);
+                             }) ||
+         std::ranges::any_of(tokens, [&](const iec::IecToken& token) {
+           return token.kind == iec::TokenKind::Text && holds(token.begin, token.end, false);
+         });
 }
 
 /// Behind the mnemonic, at the operand that the commas count.
@@ -191,7 +238,7 @@ Json completionsAt(const CheckedDocument& document, ClientPlace place) {
   } else if (comment != std::string_view::npos && tool != std::string_view::npos) {
     offerSuppression(typed.substr(tool + std::string_view("rungproof:").size()), offers);
   } else if (comment == std::string_view::npos && formOf(document.program().target) == StatementForm::Expressions) {
-    offerVariables(document, offers);
+    if (!isInert(document, offset)) offerVariables(document, offset, offers);
   } else if (comment == std::string_view::npos) {
     const std::string_view line = withoutLabel(document, typed);
     if (line.find_first_of(" \t") == std::string_view::npos)

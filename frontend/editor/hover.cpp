@@ -8,6 +8,7 @@
 
 #include "frontend/editor/inlay_hints.hpp"
 #include "frontend/editor/picture.hpp"
+#include "frontend/editor/structured_navigation.hpp"
 #include "frontend/editor/structured_text.hpp"
 #include "frontend/explain/address_page.hpp"
 #include "frontend/explain/instruction_page.hpp"
@@ -156,14 +157,32 @@ namespace {
 /// IEC 61131-3: who reads and who writes the variable of that name.
 Json hoverOfVariable(const CheckedDocument& document, std::uint32_t offset) {
   const std::string_view text = document.source().text();
-  const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.'; };
+  const auto isPart = [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return std::isalnum(byte) != 0 || c == '_' || c == '.' || byte >= 0x80;
+  };
   std::uint32_t begin = std::min<std::uint32_t>(offset, static_cast<std::uint32_t>(text.size())), end = begin;
   while (begin > 0 && isPart(text[begin - 1])) --begin;
   while (end < text.size() && isPart(text[end])) ++end;
   const std::string_view word = text.substr(begin, end - begin);
-  const auto symbol = std::ranges::find_if(document.program().symbols,
-                                           [&](const Symbol& one) { return equalsIgnoringCase(one.name, word); });
-  if (word.empty() || symbol == document.program().symbols.end()) return nullptr;
+  const auto name = isStructuredText(document) ? textNameAt(document, offset) : std::nullopt;
+  const auto named = [&](const std::string& wanted) {
+    return std::ranges::find_if(document.program().symbols,
+                                [&](const Symbol& one) { return equalsIgnoringCase(one.name, wanted); });
+  };
+  const auto none = document.program().symbols.end();
+  auto symbol = name && name->isOfProgram ? named(fmt::format("{}.{}", name->block, word)) : none;
+  // Each instance of a block has a variable of that name: what another block has under it is none of them.
+  const bool isOfInstances = name && !name->block.empty() && !name->isOfProgram;
+  if (symbol == none && !isOfInstances) symbol = named(std::string(word));
+  if (word.empty() || (symbol == none && !name)) return nullptr;
+  if (symbol == none) {
+    std::string page = fmt::format("**{}**", name->name);
+    if (!name->block.empty()) page += fmt::format(" of {}", name->block);
+    page += fmt::format("\n\n{}{}{}\n", name->section, name->type.empty() ? "" : " : ", name->type);
+    return {{"contents", Json{{"kind", "markdown"}, {"value", page}}},
+            {"range", document.range({document.file(), begin, end - begin})}};
+  }
   return {{"contents", Json{{"kind", "markdown"}, {"value", addressText(document, symbol->address)}}},
           {"range", document.range({document.file(), begin, end - begin})}};
 }

@@ -9,13 +9,15 @@
 #include <tuple>
 
 #include "frontend/editor/property_words.hpp"
+#include "frontend/editor/structured_navigation.hpp"
+#include "frontend/stl/stl_lexer.hpp"
 
 namespace rungproof {
 
 namespace {
 
 /// Kinds of symbols in the protocol.
-enum class OutlineKind : int { Module = 2, Method = 6, Function = 12, Variable = 13, Key = 20, Event = 24 };
+enum class OutlineKind : int { Module = 2, Class = 5, Method = 6, Function = 12, Variable = 13, Key = 20, Event = 24 };
 
 std::string small(std::string_view text) {
   std::string result(text);
@@ -213,6 +215,10 @@ OutlineKind kindOf(const Pou& pou) {
 
 Json definitionsAt(const CheckedDocument& document, ClientPlace place) {
   Places places(document);
+  if (isStructuredText(document)) {
+    if (const auto name = textNameAt(document, document.offset(place))) places.add(name->declaration);
+    return places.locations();
+  }
   const Cursor cursor = cursorAt(document, document.offset(place));
   if (cursor.operand && cursor.routine()) addRoutine(cursor, places);
   if (!isAddress(cursor)) return places.locations();
@@ -237,8 +243,35 @@ void addReferences(const Cursor& cursor, bool withDeclaration, Places& places) {
 
 }  // namespace
 
+namespace {
+
+/// IEC 61131-3: uses in texts and properties.
+Json referencesInTexts(const CheckedDocument& document, const TextName& name, bool withDeclaration) {
+  Places places(document);
+  if (withDeclaration) places.add(name.declaration);
+  for (const TextUse& use : name.uses) places.add(use.span);
+  if (!name.inProperty) return places.locations();
+  for (const PropertyWord& word : propertyWordsOf(document)) {
+    if (const auto span = name.inProperty(word)) places.add(*span);
+  }
+  Json locations = places.locations();
+  for (const PropertyFileBeside& beside : propertyFilesBeside(document)) {
+    for (const PropertyWord& word : beside.words) {
+      if (const auto span = name.inProperty(word))
+        locations.push_back({{"uri", beside.uri}, {"range", rangeJson(*beside.file, *span)}});
+    }
+  }
+  return locations;
+}
+
+}  // namespace
+
 Json referencesAt(const CheckedDocument& document, ClientPlace place, bool withDeclaration) {
   Places places(document);
+  if (isStructuredText(document)) {
+    const auto name = textNameAt(document, document.offset(place));
+    return name ? referencesInTexts(document, *name, withDeclaration) : places.locations();
+  }
   const Cursor cursor = cursorAt(document, document.offset(place));
   addReferences(cursor, withDeclaration, places);
   Json locations = places.locations();
@@ -248,11 +281,24 @@ Json referencesAt(const CheckedDocument& document, ClientPlace place, bool withD
 
 Json highlightsAt(const CheckedDocument& document, ClientPlace place) {
   enum class Highlight : int { Text = 1, Read = 2, Write = 3 };  // of the protocol
+  Json list = Json::array();
+  if (isStructuredText(document)) {
+    const auto name = textNameAt(document, document.offset(place));
+    const auto add = [&](Span span, Highlight kind) {
+      if (document.isHere(span)) list.push_back({{"range", document.range(span)}, {"kind", static_cast<int>(kind)}});
+    };
+    if (!name) return list;
+    add(name->declaration, Highlight::Text);
+    for (const TextUse& use : name->uses) add(use.span, use.isWritten ? Highlight::Write : Highlight::Read);
+    for (const PropertyWord& word : name->inProperty ? propertyWordsOf(document) : std::vector<PropertyWord>()) {
+      if (const auto span = name->inProperty(word)) add(*span, Highlight::Read);
+    }
+    return list;
+  }
   const Cursor cursor = cursorAt(document, document.offset(place));
   Places all(document), written(document);
   addReferences(cursor, true, all);
   if (isAddress(cursor)) addUses(cursor, true, written);
-  Json list = Json::array();
   for (const Span& span : all.spans()) {
     if (!document.isHere(span)) continue;
     const Highlight kind = !isAddress(cursor)  ? Highlight::Text
@@ -286,7 +332,38 @@ Json foldsOf(const CheckedDocument& document) {
   return list;
 }
 
+namespace {
+
+OutlineKind kindOfText(std::string_view kind) {
+  return equalsIgnoringCase(kind, "PROGRAM")    ? OutlineKind::Module
+         : equalsIgnoringCase(kind, "FUNCTION") ? OutlineKind::Function
+                                                : OutlineKind::Class;
+}
+
+/// IEC 61131-3: blocks and in them their variables, as the text has them.
+Json outlineOfText(const CheckedDocument& document) {
+  Json list = Json::array();
+  for (const DeclaredBlock& block : declaredBlocksOf(document)) {
+    Json row = outlineRow(document, std::string(block.name), std::string(block.kind), kindOfText(block.kind),
+                          block.span, block.heading);
+    row["children"] = Json::array();
+    for (const DeclaredName& variable : block.variables)
+      row["children"].push_back(outlineRow(document, std::string(variable.name), std::string(variable.type),
+                                           OutlineKind::Variable, variable.span, variable.span));
+    list.push_back(std::move(row));
+  }
+  for (const DeclaredName& variable : declaredGlobalsOf(document)) {
+    if (document.isHere(variable.span))
+      list.push_back(outlineRow(document, std::string(variable.name), std::string(variable.type), OutlineKind::Variable,
+                                variable.span, variable.span));
+  }
+  return list;
+}
+
+}  // namespace
+
 Json outlineOf(const CheckedDocument& document) {
+  if (isStructuredText(document)) return outlineOfText(document);
   Json list = Json::array();
   for (const Pou& pou : document.program().pous) {
     Json networks = Json::array();
@@ -315,6 +392,17 @@ void addSymbols(const CheckedDocument& document, std::string_view text, Json& li
                     {"location", document.location(span)},
                     {"containerName", container}});
   };
+  if (isStructuredText(document)) {
+    for (const DeclaredBlock& block : declaredBlocksOf(document)) {
+      add(std::string(block.name), kindOfText(block.kind), block.heading, "");
+      for (const DeclaredName& variable : block.variables)
+        add(std::string(variable.name), OutlineKind::Variable, variable.span, std::string(block.name));
+    }
+    for (const DeclaredName& variable : declaredGlobalsOf(document)) {
+      if (document.isHere(variable.span)) add(std::string(variable.name), OutlineKind::Variable, variable.span, "");
+    }
+    return;
+  }
   for (const Pou& pou : document.program().pous) {
     add(pou.name, kindOf(pou), headingOf(document, pou.span), "");
     for (const Network& network : pou.networks) {
