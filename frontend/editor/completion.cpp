@@ -66,10 +66,23 @@ bool writesGerman(const Program& program) {
   return false;
 }
 
+bool isGermanSource(const CheckedDocument& document) {
+  const std::string_view setting = document.settings().text(Opt::Mnemonics);
+  return setting == "german" || (setting != "international" && writesGerman(document.program()));
+}
+
+/// E, A and Z for I, Q and C: a source has one set of spellings.
+std::string inGerman(std::string name) {
+  const std::size_t at = name.starts_with("PI") || name.starts_with("PQ") ? 1 : 0;
+  constexpr std::string_view international = "IQC", german = "EAZ";
+  const std::size_t area = international.find(name[at]);
+  if (area != std::string_view::npos) name[at] = german[area];
+  return name;
+}
+
 void offerMnemonics(const CheckedDocument& document, Offers& offers) {
   const Program& program = document.program();
-  const std::string_view setting = document.settings().text(Opt::Mnemonics);
-  const bool isGerman = setting == "german" || (setting != "international" && writesGerman(program));
+  const bool isGerman = isGermanSource(document);
   for (const Desc& desc : dialectOf(program.target).instructions().all()) {
     if (desc.drawingOnly || (desc.cpus & cpuBit(program.target.cpu)) == 0) continue;
     if (desc.olderDialectOnly && !program.olderDialect) continue;
@@ -85,6 +98,8 @@ bool fits(const OperandDesc* wanted, const Operand& address) {
 
 void offerAddresses(const CheckedDocument& document, const OperandDesc* wanted, Offers& offers) {
   const bool isQuoted = dialectOf(document.program().target).text.quotesSymbols;
+  const bool isGerman =
+      isQuoted && wanted != nullptr && isGermanSource(document);  // properties have their own spelling
   for (const Symbol& symbol : document.program().symbols) {
     if (!fits(wanted, symbol.address)) continue;
     if (isQuoted)
@@ -98,8 +113,9 @@ void offerAddresses(const CheckedDocument& document, const OperandDesc* wanted, 
     if (!fits(wanted, address)) continue;
     const Symbol* const symbol = document.facts().symbolOf(address);
     const bool isNumber = addressedByNumber(entry.area);
-    offers.add(addressName(entry.area, isNumber ? Width::Bit : entry.width, entry.offset, isNumber ? 0 : entry.bit),
-               ItemKind::Field, symbol == nullptr ? std::string() : symbol->name);
+    const std::string name =
+        addressName(entry.area, isNumber ? Width::Bit : entry.width, entry.offset, isNumber ? 0 : entry.bit);
+    offers.add(isGerman ? inGerman(name) : name, ItemKind::Field, symbol == nullptr ? std::string() : symbol->name);
   }
 }
 

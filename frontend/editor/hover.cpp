@@ -133,11 +133,7 @@ std::string addressText(const CheckedDocument& document, const Operand& operand)
   return text;
 }
 
-std::string routineText(const CheckedDocument& document, Type type, const Operand& operand) {
-  const auto number = static_cast<int>(operand.value);
-  if (type == Type::Label) return fmt::format("Label {}", number);
-  const Pou* const pou =
-      type == Type::Subroutine ? document.program().subroutine(number) : document.program().interrupt(number);
+std::string pouText(const Pou* pou) {
   if (pou == nullptr) return "A block without text in this program";
   std::string text = fmt::format("**{}** {}\n", blockHeading(*pou), pou->protectedBlock ? "(protected)" : "");
   for (const LocalVariable& local : pou->locals) {
@@ -147,6 +143,44 @@ std::string routineText(const CheckedDocument& document, Type type, const Operan
                                                                            : "in and out";
     text += fmt::format("- {} ({})\n", local.name, section);
   }
+  return text;
+}
+
+std::string routineText(const CheckedDocument& document, Type type, const Cursor& cursor) {
+  const auto number = static_cast<int>(cursor.operand->value);
+  if (type == Type::Label) {
+    const bool isName = dialectOf(document.program().target).text.labelsAreNames;
+    return isName ? fmt::format("Label {}", trimmed(document.source().text(cursor.span)))
+                  : fmt::format("Label {}", number);
+  }
+  return pouText(type == Type::Subroutine ? document.program().subroutine(number)
+                                          : document.program().interrupt(number));
+}
+
+/// S7-300/400: FB 1 of "CALL FB 1" is a number of a block; nullptr: the constant is none.
+const Pou* blockOfConstant(const CheckedDocument& document, const Cursor& cursor) {
+  if (!isLetter(document.source().text(cursor.span).substr(0, 1).front())) return nullptr;
+  const auto found = std::ranges::find_if(document.program().pous, [&](const Pou& pou) {
+    return pou.type != BlockType::None && pou.number == cursor.operand->value;
+  });
+  return found == document.program().pous.end() ? nullptr : &*found;
+}
+
+/// S7-300/400: #n is what the block declares; its place, in the instance or in L, is none that the text names.
+std::string localPage(const CheckedDocument& document, const Cursor& cursor) {
+  const std::string_view written = document.source().text(cursor.span);
+  if (cursor.pou == nullptr || !written.starts_with('#')) return {};
+  const std::string_view name = written.substr(1, written.substr(1).find_first_of(".["));
+  const auto local = std::ranges::find_if(cursor.pou->locals,
+                                          [&](const LocalVariable& one) { return equalsIgnoringCase(one.name, name); });
+  if (local == cursor.pou->locals.end()) return {};
+  const std::string_view section = local->section == VarSection::Input    ? "input"
+                                   : local->section == VarSection::Output ? "output"
+                                   : local->section == VarSection::InOut  ? "input and output"
+                                   : local->section == VarSection::Temp   ? "temporary"
+                                                                          : "static";
+  std::string text = fmt::format("**#{}** of {}, {}\n", local->name, cursor.pou->name, section);
+  if (local->span.length > 0) text += "\n" + block(document.program().sources->text(local->span));
   return text;
 }
 
@@ -198,9 +232,14 @@ Json hoverAt(const CheckedDocument& document, ClientPlace place) {
   if (cursor.isMnemonic && !isSclText(document)) {
     text = instructionText(document, *cursor.instruction->desc);
   } else if (cursor.operand && cursor.routine()) {
-    text = routineText(document, *cursor.routine(), *cursor.operand);
+    text = routineText(document, *cursor.routine(), cursor);
+  } else if (cursor.operand && !localPage(document, cursor).empty()) {
+    text = localPage(document, cursor);
   } else if (cursor.operand && (cursor.operand->isMemory() || cursor.operand->kind == OperandKind::Address)) {
     text = addressText(document, *cursor.operand);
+  } else if (cursor.operand && cursor.operand->kind == OperandKind::Constant && cursor.span.length > 0 &&
+             blockOfConstant(document, cursor) != nullptr) {
+    text = pouText(blockOfConstant(document, cursor));
   } else if (cursor.operand && cursor.operand->kind == OperandKind::Constant) {
     text = fmt::format("{} = 16#{:X}", cursor.operand->value, static_cast<std::uint32_t>(cursor.operand->value));
   } else if (cursor.isHeading) {

@@ -51,6 +51,18 @@ TEST(Completion, AStep7SourceHasItsOwnWords) {
   EXPECT_FALSE(has(bits, "MW10"));
 }
 
+// U and E: the source would not be read with I0.1 in it.
+TEST(Completion, AGermanStep7SourceHasGermanAddresses) {
+  EditorSession session({"--dialect", "s7-300"});
+  session.open(
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      U E 0.1;\n      = A 4.0;\n      U \n"
+      "END_ORGANIZATION_BLOCK\n");
+  const std::vector<std::string> labels = labelsAt(session, 5, 8);
+  EXPECT_TRUE(has(labels, "E0.1"));
+  EXPECT_TRUE(has(labels, "A4.0"));
+  EXPECT_FALSE(has(labels, "I0.1"));
+}
+
 TEST(Completion, StructuredTextHasItsKeywordsAndVariables) {
   EditorSession session;
   session.open("PROGRAM P\nVAR_INPUT Start : BOOL; END_VAR\n \nEND_PROGRAM\n", "untitled:p.st");

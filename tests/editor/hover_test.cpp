@@ -65,6 +65,22 @@ TEST(Hover, AnotherCpuHasOtherLimits) {
   EXPECT_NE(session.hover(2, 1).find("VW2046"), std::string::npos) << session.hover(2, 1);
 }
 
+// Names of a source are shown as the source has them, not as places and numbers that they became.
+TEST(Hover, LocalsBlocksAndLabelsOfAStep7Source) {
+  EditorSession session({"--dialect", "s7-300"});
+  session.open(
+      "FUNCTION_BLOCK FB 1\nVAR_INPUT\n  n : INT;\nEND_VAR\nBEGIN\nNETWORK\n      L #n;\n      T MW 0;\n"
+      "      JU M001;\nM001: NOP 0;\nEND_FUNCTION_BLOCK\nDATA_BLOCK DB 1\nFB 1\nBEGIN\nEND_DATA_BLOCK\n"
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      CALL FB 1 , DB 1 ( n := 3 );\nEND_ORGANIZATION_BLOCK\n");
+  const std::string local = session.hover(6, 9);
+  EXPECT_NE(local.find("**#n** of FB1, input"), std::string::npos) << local;
+  EXPECT_EQ(local.find("DBW"), std::string::npos) << local;
+  EXPECT_NE(session.hover(8, 10).find("Label M001"), std::string::npos) << session.hover(8, 10);
+  const std::string called = session.hover(18, 12);
+  EXPECT_NE(called.find("FB1"), std::string::npos) << called;
+  EXPECT_EQ(called.find("196609"), std::string::npos) << called;
+}
+
 TEST(Hover, APictureOnRequest) {
   EditorSession session;
   session.open(press);
