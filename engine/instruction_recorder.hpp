@@ -56,6 +56,11 @@ class InstructionRecorder final : public InstructionObserver {
 std::optional<std::uint64_t> operandValue(const Machine<Concrete>& machine, const Instruction& instruction,
                                           std::size_t index, unsigned frame);
 
+/// The same in front of the instruction that runs next, whose registers also say where an open data block, an instance
+/// or an actual parameter of an S7-300/400 lies.
+std::optional<std::uint64_t> operandValueInFront(const Machine<Concrete>& machine, const Instruction& instruction,
+                                                 std::size_t index);
+
 /// Width in which the instruction takes its operand.
 Width operandWidth(const Instruction& instruction, std::size_t index);
 

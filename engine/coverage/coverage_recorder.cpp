@@ -64,7 +64,7 @@ void CoverageRecorder::note(std::uint32_t leaf, bool value) {
 
 bool CoverageRecorder::edgeGate(const Machine<Concrete>& machine, const Instruction& instruction) const {
   if (map_.plan().form() == StatementForm::Accumulators) {
-    const bool before = operandValue(machine, instruction, 0, machine.frame).value_or(0) != 0;
+    const bool before = operandValueInFront(machine, instruction, 0).value_or(0) != 0;
     return findsRise(instruction) ? !before : before;
   }
   const bool before = machine.store.get(Reg::EdgeMemory, map_.plan().edge[instruction.id]) != 0;
@@ -76,7 +76,7 @@ std::optional<bool> CoverageRecorder::valueInFront(const Machine<Concrete>& mach
                                                    const Instruction& instruction) const {
   if (instruction.desc->immediate) return std::nullopt;
   if (instruction.desc->execution != Execution::Compare) {
-    const std::optional<std::uint64_t> value = operandValue(machine, instruction, 0, machine.frame);
+    const std::optional<std::uint64_t> value = operandValueInFront(machine, instruction, 0);
     return value ? std::optional((*value & 1) != 0) : std::nullopt;
   }
   if (instruction.operands.size() != 2 || instruction.desc->operands[0].type == Type::String) return std::nullopt;
@@ -85,7 +85,7 @@ std::optional<bool> CoverageRecorder::valueInFront(const Machine<Concrete>& mach
     const Operand& operand = instruction.operands[i];
     const bool isConstant = operand.kind == OperandKind::Constant;
     const std::optional<std::uint64_t> value = isConstant ? std::optional(static_cast<std::uint64_t>(operand.value))
-                                                          : operandValue(machine, instruction, i, machine.frame);
+                                                          : operandValueInFront(machine, instruction, i);
     if (!value) return std::nullopt;
     numbers[i] = comparedNumber(instruction, i, *value);
   }
@@ -178,10 +178,10 @@ void CoverageRecorder::judge(const Machine<Concrete>& machine, const Instruction
     const bool hasPower = map_.isUnconditional(instruction.id) || power(machine, instruction, 0).value_or(false);
     bool isTaken = hasPower;
     if (isTaken && step.kind == TransitionKind::SetStep)
-      isTaken = operandValue(machine, instruction, 0, machine.frame).value_or(1) == 0;
+      isTaken = operandValueInFront(machine, instruction, 0).value_or(1) == 0;
     if (isTaken && step.kind == TransitionKind::StepWord) {
       const std::size_t to = instruction.operands.size() - 1;
-      const std::optional<std::uint64_t> old = operandValue(machine, instruction, to, machine.frame);
+      const std::optional<std::uint64_t> old = operandValueInFront(machine, instruction, to);
       isTaken = old && *old != maskedTo(step.value, operandWidth(instruction, to));
     }
     if (isTaken) {

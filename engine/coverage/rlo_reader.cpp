@@ -11,7 +11,8 @@ class RloReader final : public LogicReader {
  public:
   explicit RloReader(CoverageMap& map) : LogicReader(map) { findStepWords(); }
 
-  void beginBlock(const Pou&) override {
+  void beginBlock(const Pou& pou) override {
+    words_.beginBlock(pou);
     state_ = {hidden(), std::nullopt, false};
     levels_.clear();
     loaded_ = nullptr;
@@ -67,7 +68,7 @@ class RloReader final : public LogicReader {
       case StatementRole::CallByRlo: use(instruction, place); return forget();
       case StatementRole::Transfer:
         output(instruction, false, place);
-        if (const Operand* to = directOf(instruction, role); loaded != nullptr && to != nullptr && words_.contains(*to))
+        if (const Operand* to = namedBy(instruction, role); loaded != nullptr && to != nullptr && words_.contains(*to))
           transition({TransitionKind::StepWord, &instruction, toString(*to) + " -> " + toString(loaded->operands[0]),
                       static_cast<std::uint64_t>(loaded->operands[0].value), place});
         return;
@@ -129,22 +130,25 @@ class RloReader final : public LogicReader {
            instruction.operands[0].kind == OperandKind::Constant;
   }
 
-  /// The place that a statement of the role names, or nullptr.
-  static const Operand* directOf(const Instruction& instruction, StatementRole role) {
-    const bool isDirect = statementRole(instruction) == role && !instruction.operands.empty() &&
-                          instruction.operands[0].kind == OperandKind::Direct;
-    return isDirect ? &instruction.operands[0] : nullptr;
+  /// The place that a statement of the role names, in a data block that is open or an instance too, or nullptr.
+  static const Operand* namedBy(const Instruction& instruction, StatementRole role) {
+    if (statementRole(instruction) != role || instruction.operands.empty()) return nullptr;
+    const Operand& o = instruction.operands[0];
+    const bool isInBlock = o.kind == OperandKind::Indirect && o.reach != nullptr &&
+                           (o.reach->way == Way::OpenBlock || o.reach->way == Way::Instance);
+    return o.kind == OperandKind::Direct || isInBlock ? &o : nullptr;
   }
 
   void findStepWords() {
     for (const Pou& pou : program().pous) {
+      words_.beginBlock(pou);
       for (const Network& network : pou.networks) {
         const std::vector<Instruction>& list = network.instructions;
         for (std::size_t i = 0; i < list.size(); ++i) {
-          if (i >= 2 && comparesForEquality(list[i]) && directOf(list[i - 2], StatementRole::Load) != nullptr &&
+          if (i >= 2 && comparesForEquality(list[i]) && namedBy(list[i - 2], StatementRole::Load) != nullptr &&
               isConstantLoad(list[i - 1]))
             words_.compares(list[i - 2].operands[0], list[i - 1].operands[0].value);
-          const Operand* const to = directOf(list[i], StatementRole::Transfer);
+          const Operand* const to = namedBy(list[i], StatementRole::Transfer);
           if (to == nullptr) continue;
           if (i >= 1 && isConstantLoad(list[i - 1]))
             words_.moves(*to, list[i - 1].operands[0].value);

@@ -2,17 +2,19 @@
 // before it reads the first block. Part of the LogicReaders.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <set>
-#include <utility>
 
-#include "ir/operand.hpp"
+#include "ir/program.hpp"
 
 namespace rungproof {
 
 class StepWords {
  public:
+  /// What is told or asked from here on stands in this block.
+  void beginBlock(const Pou& block) { block_ = &block; }
   /// The word is compared for equality with the constant.
   void compares(const Operand& word, std::int64_t constant) { uses_[keyOf(word)].compared.insert(constant); }
   /// The word chooses what runs next, whatever it is compared with.
@@ -35,10 +37,21 @@ class StepWords {
     std::set<std::int64_t> compared, moved;
     bool selects = false, computed = false;
   };
-  using Key = std::pair<Area, std::uint32_t>;
-  static Key keyOf(const Operand& word) { return {word.area, word.offset}; }
+  struct Key {
+    Area area;
+    std::uint32_t offset;
+    Way way;  ///< with `isReached`
+    bool isReached, inDi;
+    const Pou* block;  ///< that reaches it: in another block the same text may be another word
+    friend auto operator<=>(const Key&, const Key&) = default;
+  };
+  Key keyOf(const Operand& word) const {
+    if (word.reach == nullptr) return {word.area, word.offset, {}, false, false, nullptr};
+    return {word.area, word.offset, word.reach->way, true, word.reach->inDi, block_};
+  }
 
   std::map<Key, Uses> uses_;
+  const Pou* block_ = nullptr;
 };
 
 }  // namespace rungproof

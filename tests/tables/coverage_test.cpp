@@ -153,6 +153,45 @@ TEST_F(Coverage, CountsTransitionsOfCharts) {
   EXPECT_EQ(figures(c["transitions"]), Figures(1, 2));
 }
 
+// The step goes 0, 1, 2, 0. Where its word lies does not matter: in a data block that is named, or in one that is open.
+TEST_F(Coverage, CountsMovesToStepWordsOfAnS7300) {
+  const std::string data = "DATA_BLOCK DB 1\nSTRUCT\n  step : INT;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n";
+  const auto listWith = [&](const std::string& opens, const std::string& word) {
+    std::string text = data + "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n  " + opens + "\n";
+    const char* const next[] = {"1", "2", "0"};
+    for (int step = 0; step < 3; ++step) {
+      const std::string label = std::string(1, static_cast<char>('a' + step));
+      text += "  L " + word + "; L " + std::to_string(step) + "; ==I; A I 0." + std::to_string(step) + "; JCN " +
+              label + ";\n  L " + next[step] + "; T " + word + ";\n" + label + ": NOP 0;\n";
+    }
+    return text + "NETWORK\n  L " + word + "; L 1; ==I; = Q 4.0;\nEND_ORGANIZATION_BLOCK\n";
+  };
+  const std::string heading = "test,set I0.0,set I0.1,set I0.2,expect Q4.0\n";
+  const std::string one = write("one.csv", heading + "t,1,0,0,1\n");
+  const std::string all = write("all.csv", heading + "t,1,0,0,1\nt,0,1,0,0\nt,0,0,1,0\n");
+  for (const std::string& program :
+       {write("named.awl", listWith("NOP 0;", "DB1.DBW 0")), write("marker.awl", listWith("NOP 0;", "MW 10")),
+        write("open.awl", listWith("OPN DB 1;", "DBW 0"))}) {
+    EXPECT_EQ(figures(of(program, one, {"--dialect", "s7-300"})["transitions"]), Figures(1, 3)) << program;
+    EXPECT_EQ(figures(of(program, all, {"--dialect", "s7-300"})["transitions"]), Figures(3, 3)) << program;
+  }
+}
+
+// FN lets the fall of I0.0 through where its bit in the data block was 1: in scan 2 I0.0 = 1 decides that nothing
+// comes, in scan 3 I0.0 = 0 decides that the output comes.
+TEST_F(Coverage, ReadsTheMemoryOfAnEdgeInADataBlock) {
+  for (const std::string edge : {"FN DB1.DBX 0.0;", "OPN DB 1; A I 0.0; FN DBX 0.0;"}) {
+    const std::string program = write(
+        "e.awl",
+        "DATA_BLOCK DB 1\nSTRUCT\n  edge : BOOL;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\n"
+        "BEGIN\nNETWORK\n  " +
+            std::string(edge.starts_with("FN") ? "A I 0.0; " : "") + edge + " = Q 4.0;\nEND_ORGANIZATION_BLOCK\n");
+    const nlohmann::json c =
+        of(program, write("t.csv", "test,set I0.0,expect Q4.0\nt,1,0\nt,1,0\nt,0,1\n"), {"--dialect", "s7-300"});
+    EXPECT_EQ(figures(c["mcdc"]), Figures(1, 1)) << edge << c["mcdc"].dump(1);
+  }
+}
+
 // Of inputs and outputs a trace alone tells which contacts were 1 and 0: each contact of an input saw the input, and
 // one of an output that is read above its coil saw the value of the scan before.
 TEST_F(Coverage, AgreesWithTheTrace) {
