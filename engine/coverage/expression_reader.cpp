@@ -25,6 +25,8 @@ class ExpressionReader final : public LogicReader {
   void beginBlock(const Pou& pou) override {
     stack_.clear();
     temporaries_.clear();
+    passed_.clear();
+    open_.clear();
     isChart_ = pou.name.find(".(transitions") != std::string::npos;
     constant_ = nullptr;
   }
@@ -38,9 +40,16 @@ class ExpressionReader final : public LogicReader {
         if (instruction.desc->stack.pops > 0) {
           const LogicNode condition = pop();
           if (!isChart_) decide(instruction, 0, condition, place);
+          if (hasContact(condition)) skipsTo(instruction);
+        } else if (!open_.empty()) {
+          skipsTo(instruction);  // what stands behind it is the other branch
         }
         return;
-      case Control::LabelMark: temporaries_.clear(); return;
+      case Control::LabelMark:
+        temporaries_.clear();
+        passed_.insert(instruction.operands[0].value);
+        open_.erase(instruction.operands[0].value);
+        return;
       case Control::Call: output(instruction, false, place); return;
       case Control::None: break;
       default: return;
@@ -127,8 +136,20 @@ class ExpressionReader final : public LogicReader {
       temporaries_[bitOf(to)] = condition;
       return;
     }
-    output(instruction, true, place);
+    // The value is the power flow of a coil, unless the flow decides whether the statement runs: then 0 is a value as
+    // any other. A constant hangs on nothing.
+    const bool isCoil = open_.empty() && !trees().leavesOf(condition).empty();
+    output(instruction, isCoil, place);
     decide(instruction, 0, condition, place);
+  }
+
+  bool hasContact(LogicNode condition) {
+    return std::ranges::any_of(trees().leavesOf(condition), [&](std::uint32_t leaf) { return isContactLeaf(leaf); });
+  }
+  /// From here on statements run only where the jump is not taken, up to its label.
+  void skipsTo(const Instruction& jump) {
+    const std::int64_t label = jump.operands[0].value;
+    if (!passed_.contains(label)) open_.insert(label);
   }
 
   std::string statementLine(const Instruction& instruction) const {
@@ -171,6 +192,7 @@ class ExpressionReader final : public LogicReader {
   std::map<std::uint32_t, LogicNode> temporaries_;  ///< by bit address
   std::set<std::uint32_t> named_;
   StepWords words_;
+  std::set<std::int64_t> passed_, open_;  ///< labels of the block: those seen, and those that a condition jumps to
   bool isChart_ = false;
   const Instruction* constant_ = nullptr;
 };

@@ -24,6 +24,7 @@ class LogicReader {
     map_.leaves_.push_back({LeafKind::Hidden, nullptr, {}});
     return trees().leaf(static_cast<std::uint32_t>(map_.leaves_.size() - 1));
   }
+  bool isContactLeaf(std::uint32_t leaf) const { return map_.leaves_[leaf].kind == LeafKind::Contact; }
   void decide(const Instruction& instruction, std::uint8_t level, LogicNode condition, CoveragePlace place);
   /// The instruction is a coil or a box of its network; `needsPower`: only power flow reaches it.
   void output(const Instruction& instruction, bool needsPower, CoveragePlace place);

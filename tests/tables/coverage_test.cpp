@@ -153,6 +153,22 @@ TEST_F(Coverage, CountsTransitionsOfCharts) {
   EXPECT_EQ(figures(c["transitions"]), Figures(1, 2));
 }
 
+// Where power flow decides whether a statement runs, FALSE is stored like TRUE: what counts is that it ran. The guard
+// closed keeps network 2 from running, the guard open runs it, the start runs network 1.
+TEST_F(Coverage, ReachesAStatementBehindItsCondition) {
+  const std::string variables = "PROGRAM P\nVAR_INPUT Start, Door : BOOL; END_VAR\nVAR_OUTPUT On : BOOL; END_VAR\n";
+  for (const std::string body :
+       {"IF Start THEN On := TRUE; END_IF;\nIF NOT Door THEN On := FALSE; END_IF;\n",
+        "IF Start THEN On := TRUE; END_IF;\nIF Door THEN ; ELSE On := Start AND Door; END_IF;\n",
+        "LD Start\nS On\nLDN Door\nR On\n"}) {
+    const std::string program = write("p.st", variables + body + "END_PROGRAM\n");
+    const std::string heading = "test,set Start,set Door,expect On\n";
+    EXPECT_EQ(figures(of(program, write("a.csv", heading + "t,0,1,0\n"))["networks"]), Figures(0, 2)) << body;
+    EXPECT_EQ(figures(of(program, write("b.csv", heading + "t,0,0,0\n"))["networks"]), Figures(1, 2)) << body;
+    EXPECT_EQ(figures(of(program, write("c.csv", heading + "t,0,0,0\nt,1,1,1\n"))["networks"]), Figures(2, 2)) << body;
+  }
+}
+
 // The step goes 0, 1, 2, 0. Where its word lies does not matter: in a data block that is named, or in one that is open.
 TEST_F(Coverage, CountsMovesToStepWordsOfAnS7300) {
   const std::string data = "DATA_BLOCK DB 1\nSTRUCT\n  step : INT;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n";
