@@ -23,6 +23,7 @@ struct TestResult {
   std::string signal{}, expected{}, actual{};
   std::string stepText{};
   std::string reason{};  ///< why it failed where no value tells: a fatal error
+  std::string timing{};  ///< note of the failing step, where it says `timing`
   std::uint32_t line = 0;
   std::uint64_t scan = 0;
   double timeMs = 0;

@@ -22,7 +22,7 @@ std::string trimmedCell(std::string text) {
 class CsvReader {
  public:
   CsvReader(CsvTable& table, std::string_view text, std::vector<Failure>& failures, const CsvForm& form)
-      : table_(table), text_(text), failures_(failures) {
+      : table_(table), text_(text), failures_(failures), helpIfEmpty_(form.helpIfEmpty) {
     if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
     const std::string_view first = text_.substr(0, text_.find('\n'));
     const bool saysSeparator = first.size() >= 5 && equalsIgnoringCase(first.substr(0, 4), "sep=");
@@ -54,9 +54,7 @@ class CsvReader {
       }
       table_.rows.push_back(std::move(row));
     }
-    if (table_.heading.empty())
-      failures_.push_back({"the file is empty", table_.name + ":1:1",
-                           "begin with a heading: 'scan' or 'time_ms' and the names of the signals"});
+    if (table_.heading.empty()) failures_.push_back({"the file is empty", table_.name + ":1:1", helpIfEmpty_});
   }
 
  private:
@@ -156,6 +154,7 @@ class CsvReader {
   CsvTable& table_;
   std::string_view text_;
   std::vector<Failure>& failures_;
+  const std::string& helpIfEmpty_;
   char separator_ = ',';
   std::size_t at_ = 0;
   std::uint32_t line_ = 1;

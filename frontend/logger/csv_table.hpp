@@ -32,6 +32,7 @@ struct CsvForm {
   char separator = 0;        ///< 0: recognised
   std::string headingHas{};  ///< the first line with that cell is the heading, if there is one; what stands before it
                              ///< is passed over
+  std::string helpIfEmpty = "begin with a heading: 'scan' or 'time_ms' and the names of the signals";
 };
 
 /// Reads a whole file. Rows of another width than the heading, open quotes and a missing heading are failures.

@@ -1,6 +1,7 @@
 // JUnit XML: a test suite for each file (findings) and one for the properties, as CI servers read it.
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <ostream>
 #include <pugixml.hpp>
 
@@ -69,9 +70,12 @@ class JunitWriter {
     mark.append_attribute("value") = partJson(report_).dump(-1, true).c_str();
   }
 
-  /// A file without findings is one passed case, so that it does not vanish from the statistics.
+  /// A file without findings is one passed case, so that it does not vanish from the statistics; where tests are
+  /// counted it is none.
   void writeFile(std::uint32_t file) {
     const std::string& name = report_.sources->file(file).name();
+    const bool isClean = std::ranges::none_of(report_.findings, [&](const Finding& f) { return f.span.file == file; });
+    if (isClean && report_.tests != nullptr && !report_.tests->tests.empty()) return;
     pugi::xml_node suite = root_.append_child("testsuite");
     suite.append_attribute("name") = lineText(name).c_str();
     std::size_t count = 0;

@@ -14,6 +14,7 @@
 #include "frontend/stl/missing_address.hpp"
 #include "frontend/stl/operand_reader.hpp"
 #include "ir/iec/cpu.hpp"
+#include "ir/overlap.hpp"
 #include "ir/s7200/call_contract.hpp"
 #include "ir/s7200/call_parameters.hpp"
 #include "ir/s7200/special_memory.hpp"
@@ -172,7 +173,7 @@ std::optional<TraceSignal> signalNamed(const Program& program, std::string_view 
     return std::nullopt;
   }
   if (auto missing = missingFrom(program.target, operand)) {
-    failure = {std::move(*missing), {}, "choose the CPU with --cpu"};
+    failure = {std::move(*missing), {}, operand.bit > 7 ? "mend the address" : "choose the CPU with --cpu"};
     return std::nullopt;
   }
   TraceSignal signal = signalOf(program, operand);
@@ -237,6 +238,18 @@ std::optional<StimulusColumn> stimulusColumn(const Program& program, const std::
   const bool applies = !isRecorded || isSurrounding(program, signal->operand);
   column.target = applies ? StimulusTarget::Memory : StimulusTarget::None;
   return column;
+}
+
+const StimulusColumn* sharedWith(std::span<const StimulusColumn> columns, const StimulusColumn& column) {
+  if (column.target != StimulusTarget::Memory) return nullptr;
+  const auto found = std::ranges::find_if(columns, [&](const StimulusColumn& other) {
+    return other.target == StimulusTarget::Memory && overlaps(other.signal.operand, column.signal.operand);
+  });
+  return found == columns.end() ? nullptr : &*found;
+}
+
+std::string samePlaceText(std::string_view first, std::string_view second) {
+  return fmt::format("columns '{}' and '{}' name the same place", first, second);
 }
 
 }  // namespace rungproof

@@ -29,4 +29,8 @@ bool isOutputColumn(const Operand& operand);
 std::optional<StimulusColumn> stimulusColumn(const Program& program, const std::string& name, bool isRecorded,
                                              Failure& failure);
 
+/// The column of these that sets memory which `column` sets too, or nullptr; "columns 'A' and 'B' name the same place".
+const StimulusColumn* sharedWith(std::span<const StimulusColumn> columns, const StimulusColumn& column);
+std::string samePlaceText(std::string_view first, std::string_view second);
+
 }  // namespace rungproof

@@ -314,8 +314,11 @@ Stimulus readStimulus(const std::string& name, std::string_view text, const Prog
   for (const std::size_t i : frame.signals) {
     const CsvCell& cell = reader.table().heading[i];
     Failure failure;
-    if (const auto column =
-            stimulusColumn(program, cell.text, frame.isRecorded || reader.table().isRecording, failure)) {
+    const bool isTrace = frame.isRecorded || reader.table().isRecording;
+    if (const auto column = stimulusColumn(program, cell.text, isTrace, failure)) {
+      // A trace may show a place twice: what it says of it agrees.
+      const StimulusColumn* const other = isTrace || stimulus.isWhole ? nullptr : sharedWith(stimulus.columns, *column);
+      if (other != nullptr) reader.fail(cell, samePlaceText(other->signal.name, cell.text), "take one of the two out");
       stimulus.columns.push_back(*column);
       const bool sets = column->target == StimulusTarget::Memory && isInputColumn(column->signal.operand);
       if (stimulus.isWhole && !sets) stimulus.columns.back().target = StimulusTarget::None;  // `given` has it
@@ -359,6 +362,21 @@ Stimulus readStimulus(const std::string& name, std::string_view text, const Prog
 
 namespace {
 
+/// Times of a trace that counts scans: each lasts as long as its row or the last row before it says, 10 ms without one.
+class ScanClock {
+ public:
+  std::uint64_t endOf(const TraceRow& row) {
+    if (row.scan > scan_) timeUs_ += (row.scan - scan_ - 1) * scanUs_;
+    if (row.scanUs != 0) scanUs_ = row.scanUs;
+    if (row.scan > scan_) timeUs_ += scanUs_;
+    scan_ = std::max(scan_, row.scan);
+    return timeUs_;
+  }
+
+ private:
+  std::uint64_t scan_ = 0, timeUs_ = 0, scanUs_ = 10'000;
+};
+
 Trace readTraceWith(const std::string& name, std::string_view text, std::vector<Failure>& failures,
                     std::string_view side, const TraceImport& import,
                     const std::function<std::optional<TraceSignal>(const std::string&, Failure&)>& signalOfColumn) {
@@ -370,6 +388,7 @@ Trace readTraceWith(const std::string& name, std::string_view text, std::vector<
   std::erase_if(frame.signals,
                 [&](std::size_t i) { return lowered(reader.table().heading[i].text).starts_with("clock."); });
   std::vector<std::size_t> unknown;
+  ScanClock clock;
   Trace trace;
   trace.isByTime = frame.isByTime;
   trace.hasTimes = frame.isByTime || frame.isRecorded;
@@ -397,6 +416,7 @@ Trace readTraceWith(const std::string& name, std::string_view text, std::vector<
         row.timeUs = static_cast<std::uint64_t>(std::llround(*time * 1000));
     }
     if (frame.scanMs >= 0) row.scanUs = reader.duration(cells[static_cast<std::size_t>(frame.scanMs)]);
+    if (!trace.hasTimes) row.timeUs = clock.endOf(row);
     for (std::size_t k = 0; k < frame.signals.size(); ++k)
       row.values.push_back(reader.value(cells[frame.signals[k]], trace.signals[k]));
     trace.rows.push_back(std::move(row));

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "analysis/testing/test_signals.hpp"
+#include "ir/overlap.hpp"
 #include "ir/written_operand.hpp"
 
 namespace rungproof {
@@ -32,6 +33,12 @@ TestTable recordedTable(const Program& program, const PropertySet& set, const Tr
   const TestSignals signals = testSignalsOf(program, set);
   TestTable table;
   std::vector<std::size_t> inputs, outputs;  // columns of the trace
+  // A part of a wider input, which sets it too.
+  const auto isPart = [&](const Operand& operand) {
+    return std::ranges::any_of(trace.signals, [&](const TraceSignal& other) {
+      return bits(other.operand.width) > bits(operand.width) && overlaps(other.operand, operand);
+    });
+  };
   for (std::size_t i = 0; i < trace.signals.size(); ++i) {
     const std::string address = toString(trace.signals[i].operand);
     const bool isInput = std::ranges::any_of(
@@ -39,7 +46,8 @@ TestTable recordedTable(const Program& program, const PropertySet& set, const Tr
     // A terminal that this program does not read; another version may.
     const Area area = trace.signals[i].operand.area;
     const bool isTerminal = area == Area::I || area == Area::AI || area == Area::PI;
-    if (isInput || (isTerminal && !isWritten(program, trace.signals[i].operand, Actuals::Read))) {
+    const bool isSet = isInput || (isTerminal && !isWritten(program, trace.signals[i].operand, Actuals::Read));
+    if (isSet && !(isTerminal && isPart(trace.signals[i].operand))) {
       inputs.push_back(i);
       table.sets.push_back({StimulusTarget::Memory, trace.signals[i]});
     }

@@ -31,6 +31,12 @@ std::string_view strippedCell(std::string_view text) {
 
 bool isOpenCell(std::string_view text) { return text.empty() || text == "x" || text == "X"; }
 
+/// "2,5s" of a table whose cells are not separated by commas.
+std::string withDecimalPoint(std::string text) {
+  if (std::ranges::count(text, ',') == 1) std::ranges::replace(text, ',', '.');
+  return text;
+}
+
 class TestTableReader {
  public:
   TestTableReader(CsvTable table, const Program& program, std::vector<Failure>& failures)
@@ -98,6 +104,11 @@ class TestTableReader {
                    fmt::format("write 'expect {}' to compare it", name)};
       return fail(table_.heading[index], failure.message, failure.help);
     }
+    if (const StimulusColumn* const other = sharedWith(result_.sets, *column)) {
+      const auto at = static_cast<std::size_t>(other - result_.sets.data());
+      fail(table_.heading[index], samePlaceText(table_.heading[setColumns_[at]].text, table_.heading[index].text),
+           "take one of the two out");
+    }
     result_.sets.push_back(std::move(*column));
     setColumns_.push_back(index);
   }
@@ -127,7 +138,7 @@ class TestTableReader {
     row.step = cell(cells, "step");
     row.note = cell(cells, "note");
     if (const std::string wait = cell(cells, "wait"); !wait.empty()) {
-      if (const auto read = waitNamed(wait))
+      if (const auto read = waitNamed(table_.separator == ',' ? wait : withDecimalPoint(wait)))
         row.wait = *read;
       else
         failIn(own_.at("wait"), cells[own_.at("wait")], fmt::format("'{}' is no wait", wait),
@@ -206,7 +217,10 @@ std::optional<TestWait> waitNamed(std::string_view text) {
 TestTable readTestTable(const std::string& name, std::string_view bytes, const Program& program, char separator,
                         std::vector<Failure>& failures) {
   const std::size_t before = failures.size();
-  CsvTable table = readCsv(name, decode(bytes, TextEncoding::Auto).text, failures, {.separator = separator});
+  CsvTable table = readCsv(name, decode(bytes, TextEncoding::Auto).text, failures,
+                           {.separator = separator,
+                            .helpIfEmpty = "begin with a heading: 'test', 'step', 'wait', 'set ADDRESS' and 'expect "
+                                           "ADDRESS'"});
   if (failures.size() > before) return {};
   return TestTableReader(std::move(table), program, failures).read();
 }

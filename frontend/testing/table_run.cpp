@@ -7,6 +7,7 @@
 
 #include "analysis/proof/prover.hpp"
 #include "engine/instruction_recorder.hpp"
+#include "frontend/logger/trace_cell.hpp"
 #include "frontend/picture/network_view.hpp"
 #include "frontend/simulation/comparison.hpp"
 #include "frontend/simulation/scan_lengths.hpp"
@@ -121,6 +122,7 @@ TestResult runTest(const Program& program, const TestTable& table, const TestCas
   result.line = row.line;
   result.scan = failure.scan;
   result.timeMs = static_cast<double>(failure.timeUs) / 1000;
+  if (lowered(row.note).starts_with("timing")) result.timing = row.note;
   if (failure.signal) {
     const TraceSignal& signal = table.expects[*failure.signal];
     result.signal = signal.name;

@@ -46,6 +46,11 @@ std::string aroundText(const TestResult& test, const Paint& paint) {
   return text;
 }
 
+/// That the step is one of those that other scans fail; empty for all others.
+std::string timingText(const TestResult& test) {
+  return test.timing.empty() ? "" : fmt::format("the step is marked '{}': with other scans it may pass", test.timing);
+}
+
 std::string killText(const std::vector<PlantedFault>& faults, const Paint& paint) {
   const FaultCounts count = countsOf(faults);
   const std::size_t matter = count.noticed + count.unnoticed;
@@ -113,8 +118,11 @@ std::string testFailureText(const TestResult& test) {
   std::string text = fmt::format("step {}", test.step.value_or(0));
   if (!test.stepText.empty()) text += fmt::format(" '{}'", test.stepText);
   if (test.line != 0) text += fmt::format(" (line {})", test.line);
-  if (!test.reason.empty()) return text + ": " + test.reason;
-  return text + fmt::format(": {} expected {}, actual {}", test.signal, test.expected, test.actual);
+  if (!test.reason.empty())
+    text += ": " + test.reason;
+  else
+    text += fmt::format(": {} expected {}, actual {}", test.signal, test.expected, test.actual);
+  return test.timing.empty() ? text : text + "; " + timingText(test);
 }
 
 std::string testText(const TestReport& report, const Paint& paint, bool isQuiet) {
@@ -170,7 +178,7 @@ Json testsJson(const TestReport& report) {
     if (!test.passed) {
       row["line"] = test.line;
       row["scan"] = test.scan;
-      row["reason"] = textOrNone(test.reason);
+      row["reason"] = textOrNone(!test.reason.empty() ? test.reason : timingText(test));
     }
     rows.push_back(std::move(row));
   }

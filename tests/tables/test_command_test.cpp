@@ -92,7 +92,8 @@ TEST_F(TestCommand, WritesJunitAndHtml) {
                  "--coverage"}),
             1);
   const std::string junit = content("j.xml");
-  EXPECT_NE(junit.find("tests=\"2\" failures=\"1\""), std::string::npos) << junit;
+  // The program is no test: two in all.
+  EXPECT_NE(junit.find("<testsuites name=\"rungproof\" tests=\"2\" failures=\"1\""), std::string::npos) << junit;
   EXPECT_NE(junit.find("Q0.0 expected 0, actual 1"), std::string::npos);
   const std::string page = content("p.html");
   for (const char* part : {"<td class=\"bad\">", "Not covered: contacts", "<svg", "decided by"})
@@ -105,17 +106,20 @@ TEST_F(TestCommand, NamesMistakesWithTheirPlace) {
     const char* table;
     const char* message;
   };
-  const Mistake mistakes[] = {{"test,set Q0.0\nt,1\n", "Q0.0 is an output"},
-                              {"test,set I0.0,expect Nowhere\nt,1,1\n", "'Nowhere' is no address"},
-                              {"test,wait,set I0.0\nt,soon,1\n", "column 'wait': 'soon' is no wait"},
-                              {"test,wait,set I0.0\nt,0 scans,1\n", "'0 scans' is no wait"},
-                              {"test,set I0.0,expect Q0.0\nt,1,2\n", "column 'expect Q0.0': Q0.0 is a bit"},
-                              {"test,set I0.0,expect MB1\nt,1,9..3\n", "column 'expect MB1': the range 9..3 is empty"},
-                              {"step,set I0.0\nt,1\n", "has no column 'test'"},
-                              {"test,I0.0\nt,1\n", "'I0.0' is no column of a test table"},
-                              {"test,set I0.0,set i0.0\nt,1,1\n", "stands here twice"},
-                              {"test,set I0.0\n,1\n", "the first step has no test"},
-                              {"test,set I0.0\n", "the test table has no step"}};
+  const Mistake mistakes[] = {
+      {"test,set Q0.0\nt,1\n", "Q0.0 is an output"},
+      {"test,set I0.0,expect Nowhere\nt,1,1\n", "'Nowhere' is no address"},
+      {"test,wait,set I0.0\nt,soon,1\n", "column 'wait': 'soon' is no wait"},
+      {"test,wait,set I0.0\nt,0 scans,1\n", "'0 scans' is no wait"},
+      {"test,set I0.0,expect Q0.0\nt,1,2\n", "column 'expect Q0.0': Q0.0 is a bit"},
+      {"test,set I0.0,expect MB1\nt,1,9..3\n", "column 'expect MB1': the range 9..3 is empty"},
+      {"step,set I0.0\nt,1\n", "has no column 'test'"},
+      {"test,I0.0\nt,1\n", "'I0.0' is no column of a test table"},
+      {"test,set I0.0,set i0.0\nt,1,1\n", "stands here twice"},
+      {"test,set I0.0,set IB0\nt,1,0\n", "columns 'set I0.0' and 'set IB0' name the same place"},
+      {"test,set VW0,set VB1\nt,1,0\n", "columns 'set VW0' and 'set VB1' name the same place"},
+      {"test,set I0.0\n,1\n", "the first step has no test"},
+      {"test,set I0.0\n", "the test table has no step"}};
   for (const Mistake& mistake : mistakes) {
     EXPECT_EQ(run({program, "--table", write("t.csv", mistake.table)}), 2) << mistake.table;
     EXPECT_NE(err_.find(mistake.message), std::string::npos) << mistake.message << "\n" << err_;
@@ -160,6 +164,46 @@ TEST_F(TestCommand, RecordsATraceAsATable) {
             "recorded,change inputs,1 scan,0,1,0,0,\n");
   EXPECT_EQ(run({program, "--table", path("t.csv")}), 0) << out_;
   EXPECT_EQ(run({program, "--record", write("in.csv", "scan,I0.0\n1,1\n")}), 2);
+}
+
+TEST_F(TestCommand, TwoNamesOfOnePlaceAreRefused) {
+  const std::string program = write("motor.awl", motorProgram);
+  EXPECT_EQ(run({program, "--symbols", write("s.csv", "Start,I0.0,\n"), "--table",
+                 write("t.csv", "test,set Start,set I0.0\nt,1,0\n")}),
+            2);
+  EXPECT_NE(err_.find("columns 'set Start' and 'set I0.0' name the same place"), std::string::npos) << err_;
+}
+
+// 200 ms after the start the lamp is dark, 400 ms after it lit: T37 takes 300 ms.
+TEST_F(TestCommand, ReadsDecimalCommasOfWaits) {
+  const std::string program = write("motor.awl", motorProgram);
+  const std::string rows = "test;wait;set I0.0;expect Q0.1\nt;0,2s;1;0\nt;0,2 s;;1\n";
+  EXPECT_EQ(run({program, "--table", write("t.csv", rows)}), 0) << err_ << out_;
+  EXPECT_EQ(run({program, "--table", write("u.csv", "test,wait,set I0.0\nt,\"0,2s\",1\n")}), 2);
+}
+
+TEST_F(TestCommand, HelpsWithWhatATableNeeds) {
+  const std::string program = write("motor.awl", motorProgram);
+  EXPECT_EQ(run({program, "--table", write("t.csv", "")}), 2);
+  EXPECT_NE(err_.find("begin with a heading: 'test'"), std::string::npos) << err_;
+  EXPECT_EQ(run({program, "--table", write("u.csv", "test,set I9.9\nt,1\n")}), 2);
+  EXPECT_NE(err_.find("mend the address"), std::string::npos) << err_;  // no CPU has a bit 9
+  EXPECT_EQ(run({program, "--table", write("v.csv", "test,set I99.0\nt,1\n")}), 2);
+  EXPECT_NE(err_.find("choose the CPU with --cpu"), std::string::npos) << err_;
+}
+
+// 31 scans of 20 ms are enough for T37, and more than the table grants; its author has said so.
+TEST_F(TestCommand, SaysOfAFailingStepThatItIsMarked) {
+  const std::string program = write("motor.awl", motorProgram);
+  const std::string table =
+      write("t.csv", "test,wait,set I0.0,expect Q0.1,note\nt,20 scans,1,0,timing: with scans of 10 ms\n");
+  EXPECT_EQ(run({program, "--table", table}), 0) << out_;
+  EXPECT_EQ(run({program, "--table", table, "--scan-time", "20ms", "--format", "junit=" + path("j.xml")}), 1);
+  EXPECT_NE(content("j.xml").find("the step is marked 'timing: with scans of 10 ms'"), std::string::npos);
+  EXPECT_EQ(run({program, "--table", table, "--scan-time", "20ms"}), 1);
+  EXPECT_NE(out_.find("the step is marked 'timing: with scans of 10 ms'"), std::string::npos) << out_;
+  const nlohmann::json failed = json({program, "--table", table, "--scan-time", "20ms"}, 1);
+  EXPECT_NE(failed["tests"][0]["reason"].get<std::string>().find("timing"), std::string::npos) << failed.dump(1);
 }
 
 }  // namespace

@@ -111,6 +111,34 @@ TEST_F(SimCommand, CompareCommand) {
   EXPECT_NE(err_.find("no column 'M0.0'"), std::string::npos) << err_;
 }
 
+// A scan lasts as long as scan_ms says from there on, and 10 ms where nothing does: the third one ends at 30, or at
+// 5 + 5 + 20 ms.
+TEST_F(SimCommand, TracesThatCountScansHaveTimes) {
+  const std::pair<std::string, double> traces[] = {{"scan,Q0.0\n1,0\n2,0\n3,1\n", 30},
+                                                   {"scan,scan_ms,Q0.0\n1,5,0\n2,,0\n3,20,1\n", 30},
+                                                   {"scan,scan_ms,Q0.0\n1,5,0\n2,,0\n3,,1\n", 15}};
+  write("e.csv", "scan,Q0.0\n1,0\n3,0\n");
+  for (const auto& [trace, time] : traces) {
+    write("a.csv", trace);
+    EXPECT_EQ(run({"compare", path("e.csv"), path("a.csv"), "--format", "json"}), 1) << trace;
+    const nlohmann::json comparison = nlohmann::json::parse(out_)["comparison"];
+    EXPECT_EQ(comparison["scan"], 3);
+    EXPECT_EQ(comparison["time_ms"], time) << trace;
+  }
+}
+
+TEST_F(SimCommand, TwoColumnsOfOnePlaceAreRefused) {
+  write("twice.csv", "scan,I0.0,IB0\n1,1,0\n");
+  EXPECT_EQ(run({"sim", path("start.awl"), "--stimulus", path("twice.csv")}), 2);
+  EXPECT_NE(err_.find("columns 'I0.0' and 'IB0' name the same place"), std::string::npos) << err_;
+  // A trace shows a place as often as it was asked to, and says the same of it each time.
+  EXPECT_EQ(run({"sim", path("start.awl"), "--set", "I0.0=1", "--scans", "3", "--signals", "I0.0,IB0,Q0.0", "--trace",
+                 path("shown.csv")}),
+            0)
+      << err_;
+  EXPECT_EQ(run({"sim", path("start.awl"), "--stimulus", path("shown.csv"), "--expect", path("shown.csv")}), 0) << err_;
+}
+
 /// What is wrong with a table, where it shows, and what the message says of it.
 struct BadTable {
   std::string kind, text, place, message;
