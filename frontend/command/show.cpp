@@ -15,6 +15,7 @@
 #include "frontend/input/project_argument.hpp"
 #include "frontend/linting/lint_run.hpp"
 #include "frontend/picture/network_view.hpp"
+#include "frontend/simulation/scan_lengths.hpp"
 #include "frontend/simulation/stimulus_reader.hpp"
 #include "frontend/simulation/trace_file.hpp"
 #include "frontend/step7/source_writer.hpp"
@@ -312,8 +313,7 @@ class Show {
     SimulatorOptions engine;
     engine.choices = context_.settings.choices();
     engine.seed = static_cast<std::uint64_t>(context_.settings.number(Opt::Seed, 1));
-    if (const auto scanTime = context_.settings.scanTime())
-      engine.scanUs = static_cast<std::uint32_t>(scanTime->low.count());
+    engine.scanUs = static_cast<std::uint32_t>(scanTimeFor(context_.settings, program).low.count());
     Simulator simulator(program, engine);
     simulator.observe(&recorder);
     StimulusPlayer player(simulator, stimulus);

@@ -131,8 +131,7 @@ class Preparation {
     chooseSignals(job);
     chooseLength(job);
     setFirst(job.stimulus, arguments_.values, program_, failures);
-    using namespace std::chrono_literals;
-    job.scanTime = context_.settings.scanTime().value_or(ScanTime{10ms, 10ms});
+    job.scanTime = scanTimeFor(context_.settings, program_);
     for (const std::string& name : arguments_.traces) {
       if (auto failure = checkTraceName(name)) failures.push_back(*failure);
     }

@@ -55,7 +55,7 @@ class TestRun {
     const CoverageMap map(program);
     CoverageRecorder recorder(map);
     const bool measures = arguments_.coverage || !arguments_.stimuli.empty();
-    TableRunOptions options = runOptions();
+    TableRunOptions options = runOptions(program);
     if (measures) options.coverage = &recorder;
     if (!arguments_.generate.empty()) {
       TestTable made;
@@ -134,14 +134,13 @@ class TestRun {
     if (failures_.empty() && !arguments_.stimuli.empty()) checkRenames(import, names, failures_);
   }
 
-  TableRunOptions runOptions() const {
-    using namespace std::chrono_literals;
+  TableRunOptions runOptions(const Program& program) const {
     TableRunOptions options;
     options.engine.retentive = context_.settings.retentive();
     options.engine.choices = context_.settings.choices();
     options.engine.phaseMs = context_.settings.phaseMs();
     options.engine.seed = static_cast<std::uint64_t>(std::stoull(std::string(context_.settings.text(Opt::Seed))));
-    options.scanTime = context_.settings.scanTime().value_or(ScanTime{10ms, 10ms});
+    options.scanTime = scanTimeFor(context_.settings, program);
     options.hasPage = std::ranges::any_of(context_.outputs, [](const OutputRequest& o) { return o.name == "html"; });
     if (!arguments_.show.empty())
       options.shows = arguments_.show == "fbd" ? Form::Fbd : arguments_.show == "stl" ? Form::Stl : Form::Ladder;
@@ -181,7 +180,7 @@ class TestRun {
                   [&](Measure measure) { return arguments_.goal != "all" && arguments_.goal != measureWord(measure); });
     request.changesTogether = arguments_.together;
     request.engine = options.engine;
-    request.scanTime = context_.settings.scanTime().value_or(ScanTime{1ms, 100ms});
+    request.scanTime = scanTimeFor(context_.settings, program, {1ms, 100ms});
     request.shownTime = options.scanTime;
     request.title = pathName(std::filesystem::path(arguments_.files.front()).filename());
     std::string text;

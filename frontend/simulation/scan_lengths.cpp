@@ -13,4 +13,11 @@ ScanLength scanLengthsOf(const ScanTime& range, std::uint64_t seed) {
   return drawnScanLengths(low, high, low % 1000 == 0 && high % 1000 == 0 ? 1000 : 1, seed);
 }
 
+ScanTime scanTimeFor(const Settings& settings, const Program& program, ScanTime usual) {
+  if (const std::optional<ScanTime> given = settings.scanTime()) return *given;
+  if (!program.taskMs) return usual;
+  const std::chrono::milliseconds interval(std::min<std::uint32_t>(*program.taskMs, 60'000));
+  return {interval, interval};
+}
+
 }  // namespace rungproof

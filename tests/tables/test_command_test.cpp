@@ -206,5 +206,21 @@ TEST_F(TestCommand, SaysOfAFailingStepThatItIsMarked) {
   EXPECT_NE(failed["tests"][0]["reason"].get<std::string>().find("timing"), std::string::npos) << failed.dump(1);
 }
 
+// The task runs every 300 ms, and the lamp comes in its fourth run: 900 ms are three scans.
+TEST_F(TestCommand, TakesTheIntervalOfTheTask) {
+  const std::string program =
+      write("task.st",
+            "PROGRAM Counts\nVAR_INPUT Go : BOOL; END_VAR\nVAR_OUTPUT Lamp : BOOL; END_VAR\nVAR n : INT; END_VAR\n"
+            "IF Go THEN n := n + 1; END_IF;\nLamp := n >= 4;\nEND_PROGRAM\nCONFIGURATION C\nRESOURCE R ON PLC\n"
+            "TASK T(INTERVAL := T#300ms, PRIORITY := 1);\nPROGRAM C1 WITH T : Counts;\nEND_RESOURCE\n"
+            "END_CONFIGURATION\n");
+  const std::string table = write("t.csv", "test,wait,set C1.Go,expect C1.Lamp\nt,900ms,1,0\nt,1 scan,,1\n");
+  EXPECT_EQ(run({program, "--table", table}), 0) << out_ << err_;
+  EXPECT_EQ(run({program, "--table", table, "--scan-time", "10ms"}), 1) << out_;  // 90 scans
+  const ProgramRun trace =
+      test::run({"sim", program, "--scans", "2", "--signals", "C1.Lamp", "--trace", "-", "--isolated"});
+  EXPECT_NE(trace.out.find("\n2,600,"), std::string::npos) << trace.out << trace.err;
+}
+
 }  // namespace
 }  // namespace rungproof::test
