@@ -2,6 +2,7 @@
 #include "analysis/testing/test_signals.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -72,6 +73,19 @@ std::vector<TraceNumber> valuesFor(const Program& program, const TraceSignal& si
   return values;
 }
 
+/// In which scan a task begins: a variable that reading has added, so that the text where it is declared does not name
+/// it, and that nobody can set.
+bool isTaskPhase(const Program& program, const TraceSignal& signal) {
+  constexpr std::string_view ending = ".PHASE";
+  if (!program.taskMs || !signal.name.ends_with(ending)) return false;
+  const Symbol* const symbol = program.symbolOf(signal.operand);
+  if (symbol == nullptr) return false;
+  std::string declared(program.sources->text(symbol->span));
+  std::ranges::transform(declared, declared.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return declared.find(ending.substr(1)) == std::string::npos;
+}
+
 }  // namespace
 
 TestSignals testSignalsOf(const Program& program, const PropertySet& set) {
@@ -81,6 +95,7 @@ TestSignals testSignalsOf(const Program& program, const PropertySet& set) {
   for (TraceSignal& signal : touchedSignals(program)) {
     const Operand& operand = signal.operand;
     if (isOfVariables && signal.name.find("__") != std::string::npos) continue;  // of a chart
+    if (isOfVariables && isTaskPhase(program, signal)) continue;
     const bool isExternal =
         std::ranges::any_of(set.externals, [&](const ExternalRange& r) { return isWithin(operand, r); });
     const bool isTerminal = operand.area == Area::I || operand.area == Area::AI || operand.area == Area::PI;

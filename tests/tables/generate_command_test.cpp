@@ -224,6 +224,28 @@ TEST_F(Generate, ActualParametersAreInputsAndOutputs) {
       << content("out/tests.csv");
 }
 
+// In which scan the slower task begins nobody can set; a variable of that name is an input as any other.
+TEST_F(Generate, SetsNoPhaseOfATask) {
+  for (const std::string own : {"", ", phase"}) {
+    const std::string program =
+        write("tasks.st",
+              "PROGRAM Fast\nVAR_INPUT a : BOOL; END_VAR\nVAR_OUTPUT q : BOOL; END_VAR\nq := a;\nEND_PROGRAM\n"
+              "PROGRAM Slow\nVAR_INPUT b" +
+                  own + " : BOOL; END_VAR\nVAR_OUTPUT lamp : BOOL; END_VAR\nlamp := b" +
+                  std::string(own.empty() ? "" : " AND phase") +
+                  ";\nEND_PROGRAM\nCONFIGURATION C\nRESOURCE R ON PLC\n"
+                  "TASK T1(INTERVAL := T#10ms, PRIORITY := 1);\nTASK T2(INTERVAL := T#200ms, PRIORITY := 2);\n"
+                  "PROGRAM F1 WITH T1 : Fast;\nPROGRAM S1 WITH T2 : Slow;\nEND_RESOURCE\nEND_CONFIGURATION\n");
+    run({program, "--generate", path("out"), "--timeout", "10s"});
+    const std::string table = content("out/tests.csv");
+    const std::string heading = table.substr(0, table.find('\n'));
+    EXPECT_EQ(heading.find("PHASE"), std::string::npos) << heading;
+    EXPECT_NE(heading.find("set a"), std::string::npos) << heading << err_;
+    EXPECT_NE(heading.find("set b"), std::string::npos) << heading;
+    EXPECT_EQ(heading.find("set phase") == std::string::npos, own.empty()) << heading;
+  }
+}
+
 TEST_F(Generate, WritesNothingWhereItCannot) {
   const std::string program = write("motor.awl", motorProgram);
   const std::string blocked = write("file", "");  // a file where the folder should be
