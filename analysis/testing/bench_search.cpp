@@ -198,13 +198,15 @@ class BenchSearch::Impl {
     look.outputs = sampleValues(simulator.store(), signals_.outputs);
     return look;
   }
-  Look look() const { return lookAt(recorder_, *runs_[0]->simulator); }
+  Look look() { return lookAt(observing(), *runs_[0]->simulator); }
+  /// What a step shows counts once no assumption has been broken on the way.
+  CoverageRecorder& observing() { return trial_ ? *trial_ : recorder_; }
 
   /// One observed scan of the first run. False: an assumption is broken, or the CPU has stopped.
   bool scanObserved() {
     Run& run = *runs_[0];
     const bool isFirst = run.simulator->scanCount() == 0;
-    recorder_.beginScan();
+    observing().beginScan();
     run.simulator->scan({.lengthUs = run.scanUs});
     if (!run.simulator->isRunning()) return false;
     ReplayScan scan;
@@ -219,12 +221,14 @@ class BenchSearch::Impl {
   std::optional<std::size_t> tryStep(std::size_t from, const BenchStep& given) {
     BenchStep step = given;
     restore(0, from);
-    runs_[0]->simulator->observe(&recorder_);
+    if (!assumptions_.empty()) trial_.emplace(recorder_.map());
+    runs_[0]->simulator->observe(&observing());
     current_.emplace(followers_[from]);
     const std::size_t news = recorder_.news();
     apply(0, step);
     const bool waits = step.wait.scans == 0 && !step.wait.isTime();
     if (waits ? !runUntilRest(step) : !runSettled(step)) return std::nullopt;
+    if (trial_) recorder_.add(*trial_);
     const Look now = look();
     const std::vector<std::optional<TraceNumber>> numbers = sampleValues(runs_[0]->simulator->store(), signals_.memory);
     bool differs = lookOfShort(from, step) != now;
@@ -347,7 +351,7 @@ class BenchSearch::Impl {
       if (sampleValues(simulator.store(), signals_.outputs) != outputs) next = i + 1;
     }
     simulator.goOnFrom(kept.store, kept.moment);
-    simulator.observe(&recorder_);
+    simulator.observe(&observing());
     return std::max(scans, (changed + next) / 2);
   }
 
@@ -415,7 +419,8 @@ class BenchSearch::Impl {
   const TestSignals& signals_;
   const BenchOptions options_;
   CoverageRecorder recorder_;
-  CoverageRecorder shortRecorder_;  ///< only for what contacts see at the end of steps
+  std::optional<CoverageRecorder> trial_;  ///< of the step that is tried, where runs are assumed to be as they should
+  CoverageRecorder shortRecorder_;         ///< only for what contacts see at the end of steps
   const std::vector<const Property*> assumptions_;
   const bool isTimed_, replays_;
   Clock::time_point end_;

@@ -71,6 +71,13 @@ class Generator {
     }
     return assumptions;
   }
+  /// "assuming 'lim'": what answers of the prover rest on; empty: nothing is assumed.
+  std::string assumedText() const {
+    std::vector<std::string> names;
+    for (const Property* assumption : assumptionsOf(set_))
+      names.push_back("'" + (assumption->name.empty() ? assumption->text : assumption->name) + "'");
+    return names.empty() ? "" : fmt::format("assuming {}", fmt::join(names, ", "));
+  }
   static BenchOptions benchOptions(const GeneratorOptions& options) {
     BenchOptions bench;
     bench.engine = options.engine;
@@ -90,6 +97,7 @@ class Generator {
       if (goals.empty() || !limitProofs(options)) break;
       for (auto& [goal, answer] : askGoals(map_, set_, goals, options)) {
         if (answer.outcome == Outcome::Reachable && answer.witness) followRun(*answer.witness);
+        answer.restriction = assumedText();
         result_.answers[goal] = std::move(answer);
       }
     }
@@ -132,6 +140,7 @@ class Generator {
     for (auto& [goal, answer] : askGoals(map_, bench, goals, options)) {
       if (answer.outcome != Outcome::Unreachable) continue;
       answer.restriction = "as long as one input changes a scan";
+      if (const std::string assumed = assumedText(); !assumed.empty()) answer.restriction += ", " + assumed;
       result_.answers[goal] = std::move(answer);
     }
   }

@@ -243,10 +243,21 @@ PairState CoverageRecorder::pair(std::size_t decision, std::size_t condition) co
 
 void CoverageRecorder::add(const CoverageRecorder& other) {
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    for (std::size_t k = 0; k < 2; ++k) contacts_[i][k] = contacts_[i][k] || other.contacts_[i][k];
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (contacts_[i][k] || !other.contacts_[i][k]) continue;
+      contacts_[i][k] = true;
+      if (map_.leaves()[i].kind == LeafKind::Contact) ++news_;
+    }
   }
-  for (std::size_t i = 0; i < networks_.size(); ++i) networks_[i] = networks_[i] || other.networks_[i];
-  for (std::size_t i = 0; i < transitions_.size(); ++i) transitions_[i] = transitions_[i] || other.transitions_[i];
+  const auto addAll = [&](std::vector<bool>& mine, const std::vector<bool>& others) {
+    for (std::size_t i = 0; i < mine.size(); ++i) {
+      if (mine[i] || !others[i]) continue;
+      mine[i] = true;
+      ++news_;
+    }
+  };
+  addAll(networks_, other.networks_);
+  addAll(transitions_, other.transitions_);
   for (std::size_t d = 0; d < decisions_.size(); ++d) {
     for (const auto& [key, outcome] : other.decisions_[d].outcomes) noteDecision(d, key, outcome);
   }

@@ -10,6 +10,7 @@
 #include "analysis/witness/follower.hpp"
 #include "analysis/witness/state_pool.hpp"
 #include "engine/platform/names.hpp"
+#include "engine/start_up.hpp"
 #include "frontend/explain/certificate_head.hpp"
 #include "frontend/simulation/scan_lengths.hpp"
 #include "frontend/testing/coverage_page.hpp"
@@ -138,10 +139,88 @@ void describeTests(TestSheet& sheet, CoverageRecorder& all, const PropertySet& s
   }
 }
 
+/// A person waits for a time: finds the rows whose wait in scans may not become the time of so many of the longest
+/// ones, as with shorter scans what they or rows behind them expect then does not come.
+class ScanCounting {
+ public:
+  ScanCounting(const Program& program, const TestTable& table, const GeneratorOptions& options)
+      : program_(program), table_(table), options_(options) {
+    const std::uint32_t step = std::max<std::uint32_t>((options.highUs - options.lowUs) / mostLengths, 1000);
+    for (std::uint32_t us = options.lowUs; us < options.highUs; us += step) lengths_.push_back(us);
+    lengths_.push_back(options.highUs);
+  }
+
+  /// By row. What there is no time to try counts scans.
+  std::vector<bool> rowsOf(const TestCase& test) {
+    std::vector<bool> counts(test.rows.size(), false);
+    TestCase timed = test;
+    for (TestRow& row : timed.rows) {
+      if (!row.wait.isTime()) row.wait = {1, row.wait.scans * options_.highUs};
+      if (row.note.starts_with("timing")) row.expects.assign(row.expects.size(), std::nullopt);
+    }
+    // Each length must pass with the rows that are marked at last.
+    for (std::size_t passed = 0, next = 0; passed < lengths_.size();) {
+      if (scans_ > mostScansTried) {
+        counts.assign(counts.size(), true);
+        break;
+      }
+      const std::optional<std::size_t> failing = failingRow(timed, lengths_[next]);
+      if (!failing) {
+        ++passed;
+        next = (next + 1) % lengths_.size();
+        continue;
+      }
+      // The row itself counts scans, or the nearest one in front of it does.
+      std::size_t row = *failing + 1;
+      while (row > 0 && (test.rows[row - 1].wait.isTime() || counts[row - 1])) --row;
+      if (row == 0) break;  // all waits up to there are those of the table
+      counts[row - 1] = true;
+      timed.rows[row - 1].wait = test.rows[row - 1].wait;
+      passed = 0;
+    }
+    return counts;
+  }
+
+ private:
+  static constexpr std::uint32_t mostLengths = 32;
+  static constexpr std::uint64_t mostScansTried = 1'000'000;  ///< for all tests of a table
+
+  std::optional<std::size_t> failingRow(const TestCase& test, std::uint32_t us) {
+    TestPlayOptions play;
+    play.engine = options_.engine;
+    play.length = [us](std::uint64_t) { return us; };
+    Simulator simulator(program_, options_.engine);
+    const TestPlay played = playTest(simulator, table_, test, play);
+    scans_ += played.scans;
+    return played.failures.empty() ? std::nullopt : std::optional(played.failures.front().step);
+  }
+
+  const Program& program_;
+  const TestTable& table_;
+  const GeneratorOptions& options_;
+  std::vector<std::uint32_t> lengths_;
+  std::uint64_t scans_ = 0;
+};
+
+/// What memory holds where each test begins, if some of it is kept without power.
+std::string memoryText(const Program& program, const GeneratorOptions& options) {
+  if (retentiveRanges(program, options.engine.retentive).empty() && program.retained.empty()) return {};
+  return dialectOf(program.target).memory.isOfVariables
+             ? "Each test begins with every variable at its initial value. RETAIN variables keep theirs without power: "
+               "reset them to their initial values before each test."
+             : "Each test begins with memory, timers and counters at zero, and data blocks with their initial values. "
+               "Retentive ones keep their values without power: clear them before each test.";
+}
+
 /// What the expected values rest on.
-std::vector<std::string> basisOf(const GeneratedTests& made, const GeneratorOptions& options) {
+std::vector<std::string> basisOf(const GeneratedTests& made, const Program& program, const PropertySet& set,
+                                 const GeneratorOptions& options) {
   const double low = static_cast<double>(options.lowUs) / 1000, high = static_cast<double>(options.highUs) / 1000;
   std::vector<std::string> lines;
+  if (std::string memory = memoryText(program, options); !memory.empty()) lines.push_back(std::move(memory));
+  for (const Property& property : set.properties) {
+    if (!property.isGoal()) lines.push_back(fmt::format("The surroundings keep to: {}", property.text));
+  }
   if (made.provedCells > 0)
     lines.push_back(fmt::format(
         "{} values to be seen are proved for scans of every whole number of milliseconds from {:g} to {:g} ms, all "
@@ -224,7 +303,11 @@ bool generateInto(TestReport& report, TestTable& table, const Context& context, 
   }
   report.asked = request.measures;
   sheet.coverage = *report.coverage;
-  sheet.basis = basisOf(made, options);
+  sheet.basis = basisOf(made, map.program(), set, options);
+  sheet.lowMs = static_cast<double>(options.lowUs) / 1000;
+  sheet.highMs = static_cast<double>(options.highUs) / 1000;
+  ScanCounting counting(map.program(), made.table, options);
+  for (const TestCase& test : made.table.tests) sheet.countsScans.push_back(counting.rowsOf(test));
   made.table.file = pathName(std::filesystem::path(request.directory) / "tests.csv");
 
   Json coverage = {{"instructions", request.read.instructions},

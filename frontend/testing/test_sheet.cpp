@@ -22,7 +22,8 @@ std::string seenValue(const TraceSignal& signal, const TestRange& range) {
 /// What must be seen after a row: what has changed, and that the rest has not.
 struct Sight {
   std::vector<std::string> changed;
-  std::size_t same = 0;  ///< outputs that are to be as before
+  std::size_t same = 0;                  ///< outputs that are to be as before
+  std::vector<std::string> notCompared;  ///< names of the others
 };
 
 std::vector<Sight> sightsOf(const TestTable& table, const TestCase& test) {
@@ -34,6 +35,7 @@ std::vector<Sight> sightsOf(const TestTable& table, const TestCase& test) {
       const std::optional<TestRange>& now = row.expects[i];
       if (!now) {
         before[i].reset();  // not known: seen again where it is expected next
+        sight.notCompared.push_back(table.expects[i].name);
         continue;
       }
       const bool isSame = before[i] && before[i]->low == now->low && before[i]->high == now->high;
@@ -47,32 +49,51 @@ std::vector<Sight> sightsOf(const TestTable& table, const TestCase& test) {
   return sights;
 }
 
-std::string sightText(const Sight& sight, bool isFirst) {
-  if (sight.changed.empty()) return sight.same == 0 ? "" : isFirst ? "all outputs off" : "nothing changes";
-  return fmt::format("{}{}", fmt::join(sight.changed, "; "),
-                     sight.same == 0 ? ""
-                     : isFirst       ? "; all else off"
-                                     : "; all else as before");
+/// `isFirst`: behind power-on. Outputs that are not compared are not among those of which something is said; where no
+/// remark names them, this does.
+std::string sightText(const Sight& sight, bool isFirst, bool isRemarked) {
+  std::string text = fmt::format("{}", fmt::join(sight.changed, "; "));
+  const bool isAll = sight.notCompared.empty();
+  if (sight.same > 0 && sight.changed.empty()) {
+    text = isFirst ? (isAll ? "all outputs off" : "all other outputs off")
+                   : (isAll ? "nothing changes" : "no other output changes");
+  } else if (sight.same > 0) {
+    text += isFirst ? (isAll ? "; all else off" : "; all other outputs off")
+                    : (isAll ? "; all else as before" : "; all other outputs as before");
+  }
+  if (!isAll && !isRemarked && !text.empty())
+    text += fmt::format("; not compared: {}", fmt::join(sight.notCompared, ", "));
+  return text;
 }
 
-/// A wait at the machine: scans are too short to be counted by hand, and none is longer than 100 ms.
-std::string waitForPeople(const TestWait& wait) {
-  if (wait.isTime()) return fmt::format("{:g} s", static_cast<double>(wait.timeUs) / 1e6);
-  return wait.scans == 1   ? "at once"
-         : wait.scans <= 8 ? "0.5 s"
-                           : fmt::format("{:g} s", static_cast<double>(wait.scans) / 10);
+std::string seconds(double ms) { return fmt::format("{:g} s", ms / 1000); }
+
+/// A wait at the machine, where nobody counts scans by hand. What comes with any number of scans from the wanted one on
+/// gets the time in which the longest scans are so many; `countsScans`: with others it does not come.
+std::string waitForPeople(const TestWait& wait, const TestSheet& sheet, bool countsScans) {
+  if (wait.isTime()) return seconds(static_cast<double>(wait.timeUs) / 1000);
+  if (!countsScans) return wait.scans == 1 ? "at once" : seconds(static_cast<double>(wait.scans) * sheet.highMs);
+  const std::string scans = fmt::format("{} scan{}", wait.scans, wait.scans == 1 ? "" : "s");
+  const double low = static_cast<double>(wait.scans) * sheet.lowMs,
+               high = static_cast<double>(wait.scans) * sheet.highMs;
+  return low == high ? fmt::format("{}: {}", scans, seconds(low))
+                     : fmt::format("{}: {} to {}, by their length", scans, seconds(low), seconds(high));
 }
 
 struct SheetRow {
   std::string action, wait, seen, remark;
 };
 
-std::vector<SheetRow> sheetRowsOf(const TestTable& table, const TestCase& test) {
+std::vector<SheetRow> sheetRowsOf(const TestSheet& sheet, std::size_t number) {
   std::vector<SheetRow> rows;
-  const std::vector<Sight> sights = sightsOf(table, test);
+  const TestCase& test = sheet.table.tests[number];
+  const std::vector<Sight> sights = sightsOf(sheet.table, test);
   for (std::size_t i = 0; i < test.rows.size(); ++i) {
     const TestRow& row = test.rows[i];
-    rows.push_back({row.step, waitForPeople(row.wait), sightText(sights[i], i == 0), row.note});
+    const bool countsScans = number < sheet.countsScans.size() && sheet.countsScans[number][i];
+    const bool isRemarked = row.note.find("not compared") != std::string::npos;
+    rows.push_back(
+        {row.step, waitForPeople(row.wait, sheet, countsScans), sightText(sights[i], i == 0, isRemarked), row.note});
   }
   return rows;
 }
@@ -85,6 +106,11 @@ std::string requirementsOf(const TestSheet& sheet, const std::string& test) {
   }
   return fmt::format("{}", fmt::join(names, ", "));
 }
+
+constexpr std::string_view instruction =
+    "Each test begins with power-on and all inputs off. Do the steps in their order. After each wait compare what is "
+    "seen, tick the box, or write what was seen instead. A wait that names scans needs exactly so many: what must be "
+    "seen then does not come with every other number of them.";
 
 constexpr std::string_view sheetStyle = R"(
 @page { size: A4; margin: 14mm 12mm; }
@@ -130,9 +156,7 @@ std::string sheetHtml(const TestSheet& sheet) {
   text += fmt::format("<p class=\"small\">Program SHA-256 {}<br>rungproof {}</p>\n", xmlText(sheet.hash),
                       xmlText(programVersion()));
   for (const std::string& line : sheet.basis) text += fmt::format("<p class=\"small\">{}</p>\n", xmlText(line));
-  text +=
-      "<p>Each test begins with power-on and all inputs off. Do the steps in their order. After each wait compare "
-      "what is seen, tick the box, or write what was seen instead.</p>\n";
+  text += fmt::format("<p>{}</p>\n", instruction);
   text += "<table><thead><tr><th>Signal</th><th>Terminal</th><th>What it is</th></tr></thead><tbody>\n";
   for (const SheetSignal& signal : sheet.signals)
     text += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", xmlText(signal.symbol), xmlText(signal.address),
@@ -150,7 +174,7 @@ std::string sheetHtml(const TestSheet& sheet) {
         "<table><thead><tr><th>Step</th><th>Action</th><th>Wait</th><th>Must be seen</th><th>OK</th><th>Remark</th>"
         "</tr></thead><tbody>\n";
     std::size_t number = 0;
-    for (const SheetRow& row : sheetRowsOf(sheet.table, test))
+    for (const SheetRow& row : sheetRowsOf(sheet, i))
       text += fmt::format(
           "<tr><td class=\"n\">{}</td><td>{}</td><td class=\"w\">{}</td><td>{}</td><td class=\"box\">"
           "&#9744;</td><td class=\"remark\">{}</td></tr>\n",
@@ -199,6 +223,7 @@ std::string sheetMarkdown(const TestSheet& sheet) {
   std::string text = fmt::format("# Acceptance test: {}\n\nProgram SHA-256 `{}`, rungproof {}\n\n",
                                  markdownCell(sheet.title), sheet.hash, programVersion());
   for (const std::string& line : sheet.basis) text += markdownCell(line) + "\n\n";
+  text += std::string(instruction) + "\n\n";
   text += "| Signal | Terminal | What it is |\n|---|---|---|\n";
   for (const SheetSignal& signal : sheet.signals)
     text += fmt::format("| {} | {} | {} |\n", markdownCell(signal.symbol), markdownCell(signal.address),
@@ -213,7 +238,7 @@ std::string sheetMarkdown(const TestSheet& sheet) {
       text += fmt::format("Networks: {}\n\n", markdownCell(fmt::format("{}", fmt::join(sheet.networks[i], ", "))));
     text += "| Step | Action | Wait | Must be seen | OK | Remark |\n|---:|---|---:|---|:---:|---|\n";
     std::size_t number = 0;
-    for (const SheetRow& row : sheetRowsOf(sheet.table, test))
+    for (const SheetRow& row : sheetRowsOf(sheet, i))
       text += fmt::format("| {} | {} | {} | {} | ☐ | {} |\n", ++number, markdownCell(row.action), row.wait,
                           markdownCell(row.seen), markdownCell(row.remark));
     text += "\nDate: ____________ Name: ____________ Signature: ____________\n\n";
@@ -243,7 +268,7 @@ std::string sheetCsv(const TestSheet& sheet) {
   for (std::size_t i = 0; i < sheet.table.tests.size(); ++i) {
     const TestCase& test = sheet.table.tests[i];
     std::size_t number = 0;
-    for (const SheetRow& row : sheetRowsOf(sheet.table, test)) {
+    for (const SheetRow& row : sheetRowsOf(sheet, i)) {
       const std::string step = std::to_string(++number);
       const std::string networks = fmt::format("{}", fmt::join(sheet.networks[i], " "));
       std::string line;

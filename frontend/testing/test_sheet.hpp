@@ -32,6 +32,8 @@ struct TestSheet {
   std::vector<std::string> basis;  ///< CPU, scan times, how expectations were checked
   std::vector<SheetSignal> signals;
   TestTable table;
+  double lowMs = 1, highMs = 100;                  ///< scans for which the tests hold
+  std::vector<std::vector<bool>> countsScans;      ///< by test and row: only so many scans show what is expected
   std::vector<std::string> purposes;               ///< by test
   std::vector<std::vector<std::string>> networks;  ///< by test: "MAIN:4"
   std::map<std::string, std::string> links;        ///< of networks, into the coverage page

@@ -224,6 +224,22 @@ TEST_F(Generate, ActualParametersAreInputsAndOutputs) {
       << content("out/tests.csv");
 }
 
+// I0.0 and I0.1 are never on together: no run lets power flow, and neither contact decides as 1. The sheet says what is
+// taken for granted.
+TEST_F(Generate, UsesAssumptions) {
+  const nlohmann::json report =
+      generate(write("limits.awl", "Network 1\nLD I0.0\nA I0.1\n= Q0.0\n"), 0,
+               {"--props", write("limits.prop", "assume lim: not (I0.0 and I0.1)\nprove p: not Q0.0\n")});
+  expectAllSettled(report["coverage"]);
+  EXPECT_EQ(report["coverage"]["networks"]["unreachable"], 1);
+  EXPECT_EQ(report["coverage"]["mcdc"]["unreachable"], 2);
+  EXPECT_NE(report["coverage"]["networks"]["goals"][0]["reason"].get<std::string>().find("assuming 'lim'"),
+            std::string::npos)
+      << report["coverage"]["networks"].dump(1);
+  EXPECT_NE(content("out/sheet.md").find("The surroundings keep to: assume lim: not (I0.0 and I0.1)"),
+            std::string::npos);
+}
+
 // In which scan the slower task begins nobody can set; a variable of that name is an input as any other.
 TEST_F(Generate, SetsNoPhaseOfATask) {
   for (const std::string own : {"", ", phase"}) {
@@ -244,6 +260,21 @@ TEST_F(Generate, SetsNoPhaseOfATask) {
     EXPECT_NE(heading.find("set b"), std::string::npos) << heading;
     EXPECT_EQ(heading.find("set phase") == std::string::npos, own.empty()) << heading;
   }
+}
+
+// Q0.0 comes in the fiftieth scan with I0.0: after 0.5 s with scans of 10 ms, after 5 s with those of 100 ms. VW0 is
+// kept without power.
+TEST_F(Generate, TellsScansFromTimesOnTheSheet) {
+  const std::string program = write("scans.awl",
+                                    "Network 1\nLD I0.0\nAW< VW0, 1000\nINCW VW0\nNetwork 2\nLDN I0.0\nMOVW 0, VW0\n"
+                                    "Network 3\nLDW>= VW0, 50\n= Q0.0\n");
+  run({program, "--generate", path("out"), "--timeout", "10s"});
+  const std::string sheet = content("out/sheet.md");
+  EXPECT_NE(sheet.find(" scans: "), std::string::npos) << sheet;
+  EXPECT_EQ(sheet.find("switch on I0.0 | 0.6 s | nothing changes"), std::string::npos) << sheet;
+  EXPECT_NE(sheet.find("Retentive ones keep their values without power: clear them before each test."),
+            std::string::npos)
+      << sheet;
 }
 
 TEST_F(Generate, WritesNothingWhereItCannot) {
