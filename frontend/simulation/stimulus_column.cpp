@@ -242,8 +242,11 @@ std::optional<StimulusColumn> stimulusColumn(const Program& program, const std::
 
 const StimulusColumn* sharedWith(std::span<const StimulusColumn> columns, const StimulusColumn& column) {
   if (column.target != StimulusTarget::Memory) return nullptr;
+  const Operand& operand = column.signal.operand;
   const auto found = std::ranges::find_if(columns, [&](const StimulusColumn& other) {
-    return other.target == StimulusTarget::Memory && overlaps(other.signal.operand, column.signal.operand);
+    // The bit of a timer or counter and its value are set apart.
+    const bool isOther = hasBitAndWord(operand.area) && other.signal.operand.width != operand.width;
+    return other.target == StimulusTarget::Memory && !isOther && overlaps(other.signal.operand, operand);
   });
   return found == columns.end() ? nullptr : &*found;
 }
