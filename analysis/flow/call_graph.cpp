@@ -152,6 +152,13 @@ CallGraph::CallGraph(const Program& program, const Plan& plan) {
   }
 }
 
+std::uint32_t CallGraph::calleeOf(std::uint32_t block, const Instruction& call) const {
+  const std::span<const std::uint32_t> sites = callsIn(block);  // in the order of the text
+  const auto idOf = [&](std::uint32_t site) { return sites_[site].instruction->id; };
+  const auto found = std::ranges::lower_bound(sites, call.id, {}, idOf);
+  return found == sites.end() || idOf(*found) != call.id ? noBlock : sites_[*found].callee;
+}
+
 /// Callees on a cycle that are not measured yet count as one level.
 void CallGraph::measure(std::uint32_t block) {
   depth_[block] = 0;

@@ -39,6 +39,9 @@ class CallGraph {
   std::span<const std::uint32_t> callsIn(std::uint32_t block) const { return callsIn_[block]; }
   std::span<const std::uint32_t> callsOf(std::uint32_t block) const { return callsOf_[block]; }
 
+  /// The block that a call in that block names; noBlock: none, or the text has no such block.
+  std::uint32_t calleeOf(std::uint32_t block, const Instruction& call) const;
+
   /// A call by which the block reaches itself, or nothing.
   std::optional<std::uint32_t> recursionThrough(std::uint32_t block) const;
   /// Longest chain of calls that starts in the block, in levels; recursion is not counted twice.

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "analysis/flow/statement_paths.hpp"
 #include "ir/s7300/block.hpp"
 
@@ -16,29 +18,34 @@ bool isLibraryText(const Program& program, const Pou& pou) {
 std::vector<Flow> readStretches(const Facts& facts, std::uint32_t block) {
   const Flow& whole = facts.plan().flows[block];
   const std::vector<FlowStep>& steps = whole.steps;
-  std::vector<Flow> result;
-  for (std::uint32_t begin = 0; begin < steps.size();) {
-    std::uint32_t end = begin;
-    while (end < steps.size() && !facts.isUnread(steps[end].id()) &&
-           (end == begin || steps[end].network <= steps[end - 1].network + 1))
-      ++end;
-    if (end == begin) {
-      ++begin;
-      continue;
-    }
-    const auto isInside = [&](std::uint32_t step) { return begin <= step && step < end; };
+  struct Stretch {
+    std::uint32_t begin, end;
     bool isApart = true;
-    for (std::uint32_t at = 0; at < steps.size(); ++at) {
-      const std::uint32_t partner = steps[at].partner;
-      isApart = isApart && (partner == noPartner || isInside(at) == isInside(partner));
+  };
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  std::vector<Stretch> stretches;
+  std::vector<std::uint32_t> stretchOf(steps.size(), none);
+  for (std::uint32_t at = 0; at < steps.size(); ++at) {
+    if (facts.isUnread(steps[at].id())) continue;
+    const bool goesOn = at > 0 && stretchOf[at - 1] != none && steps[at].network <= steps[at - 1].network + 1;
+    if (!goesOn) stretches.push_back({at, at});
+    stretches.back().end = at + 1;
+    stretchOf[at] = static_cast<std::uint32_t>(stretches.size() - 1);
+  }
+  for (std::uint32_t at = 0; at < steps.size(); ++at) {
+    const std::uint32_t partner = steps[at].partner;
+    if (partner == noPartner || stretchOf[at] == stretchOf[partner]) continue;
+    for (const std::uint32_t stretch : {stretchOf[at], stretchOf[partner]}) {
+      if (stretch != none) stretches[stretch].isApart = false;
     }
-    if (isApart) {
-      Flow& flow = result.emplace_back();
-      flow.pou = whole.pou;
-      flow.steps.assign(steps.begin() + begin, steps.begin() + end);
-      for (FlowStep& step : flow.steps) step.partner -= step.partner == noPartner ? 0 : begin;
-    }
-    begin = end;
+  }
+  std::vector<Flow> result;
+  for (const Stretch& stretch : stretches) {
+    if (!stretch.isApart) continue;
+    Flow& flow = result.emplace_back();
+    flow.pou = whole.pou;
+    flow.steps.assign(steps.begin() + stretch.begin, steps.begin() + stretch.end);
+    for (FlowStep& step : flow.steps) step.partner -= step.partner == noPartner ? 0 : stretch.begin;
   }
   return result;
 }

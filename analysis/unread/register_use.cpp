@@ -5,8 +5,7 @@
 
 namespace rungproof {
 
-using namespace registers;
-
+namespace registers {
 namespace {
 
 RegisterUse useOfRole(const Instruction& instruction, bool goesOn) {
@@ -116,10 +115,11 @@ void addPlaces(const Instruction& instruction, RegisterUse& use) {
 }
 
 }  // namespace
+}  // namespace registers
 
 RegisterUse registerUse(const Instruction& instruction, bool goesOn) {
-  RegisterUse use = useOfRole(instruction, goesOn);
-  addPlaces(instruction, use);
+  RegisterUse use = registers::useOfRole(instruction, goesOn);
+  registers::addPlaces(instruction, use);
   return use;
 }
 

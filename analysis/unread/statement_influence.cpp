@@ -12,8 +12,6 @@
 
 namespace rungproof {
 
-using namespace registers;
-
 namespace {
 
 /// Blocks of the CPU that do nothing but what their parameters say.
@@ -32,7 +30,7 @@ std::uint32_t firstOf(const std::map<std::uint32_t, std::uint32_t>& bits, const 
 }  // namespace
 
 bool StatementInfluence::Registers::join(const Registers& other) {
-  const Mask old = mask;
+  const registers::Mask old = mask;
   mask |= other.mask;
   if (cause == none) cause = other.cause;
   return mask != old;
@@ -399,13 +397,11 @@ void StatementInfluence::eachCallee(std::uint32_t block, const Instruction& call
     }
     return;
   }
-  for (const std::uint32_t site : facts_.calls().callsIn(block)) {
-    const CallSite& called = facts_.calls().sites()[site];
-    if (called.instruction->id == call.id && called.callee != noBlock) visit(called.callee);
-  }
+  if (const std::uint32_t callee = facts_.calls().calleeOf(block, call); callee != noBlock) visit(callee);
 }
 
 void StatementInfluence::apply(std::uint32_t block, std::uint32_t at, Registers& registers) const {
+  using namespace rungproof::registers;
   const FlowStep& here = step(block, at);
   const std::uint32_t cause = blocks_[block].parts[here.network].cause;
   const std::optional<LogicState>& logic = blocks_[block].logic[at];
@@ -428,6 +424,7 @@ void StatementInfluence::apply(std::uint32_t block, std::uint32_t at, Registers&
 
 /// Follows influenced registers through a block: into networks that take them, into blocks that it calls.
 void StatementInfluence::passRegisters(std::uint32_t block) {
+  using namespace registers;
   const Flow& flow = facts_.plan().flows[block];
   const FlowStep* const first = flow.steps.data();
   const auto states = statesOf(flow, blocks_[block].entry, [&](Registers& registers, const FlowStep& here) {

@@ -95,6 +95,12 @@ const std::vector<GrowingCase> growingCases = {
        return fmt::format("FUNCTION FC {} : VOID\nBEGIN\nNETWORK\n A I 0.0;\n = Q 0.0;\nEND_FUNCTION\n", i + 1);
      },
      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n CALL FC 1;\nEND_ORGANIZATION_BLOCK\n"},
+    {"calls beside what cannot be read",
+     {"lint", "--isolated"},
+     "FUNCTION FC 1 : VOID\nVAR_INPUT\n x : INT ;\nEND_VAR\nBEGIN\nNETWORK\n L #x;\n T MW 0;\nEND_FUNCTION\n"
+     "ORGANIZATION_BLOCK OB 1\nBEGIN\n",
+     [](std::size_t) { return std::string("NETWORK\n CALL FC 1 ( x := MW 4);\nNETWORK\n A \"nope\";\n = M 1.0;\n"); },
+     "END_ORGANIZATION_BLOCK\n"},
     {"instances",
      {"lint", "--isolated"},
      "PROGRAM P\nVAR\n  i : BOOL;\n",
