@@ -100,11 +100,14 @@ class ProjectParser : private ChartParser {
     fail(fmt::format("TYPE, FUNCTION, FUNCTION_BLOCK, PROGRAM or CONFIGURATION is needed here{}", found()));
   }
 
-  /// A note: what nobody uses does no harm, and each use of it is an error at its place.
-  void leaveOut(std::uint32_t begin, const std::string& message, Syntax code = Syntax::IecTaken) {
+  /// What nobody uses does no harm to the rest, and each use of it is an error at its place.
+  void leaveOut(std::uint32_t begin, const std::string& message, Severity severity, Syntax code = Syntax::IecTaken) {
+    const std::size_t before = sink_.program().findings.size();
     sink_.report(code, spanFrom(begin), message);
+    if (sink_.program().findings.size() == before) return;
     Finding& told = sink_.program().findings.back();
-    if (told.message.view() == message) told.help = "what uses it is not covered; the rest is read";
+    told.help = "what uses it is not covered; the rest is read";
+    told.severity = severity;
   }
 
   /// A variable of the interface stands for an instance that is not known: it is a reference.
@@ -112,7 +115,7 @@ class ProjectParser : private ChartParser {
     const std::uint32_t begin = take().begin;
     NamedType made;
     made.name = name("the name of the interface");
-    leaveOut(begin, fmt::format("interfaces are not modelled: {} is left out", excerpt(made.name)));
+    leaveOut(begin, fmt::format("interfaces are not modelled: {} is left out", excerpt(made.name)), Severity::Note);
     while (!isEnd() && !is("END_INTERFACE") && !beginsDeclaration()) take();
     accept("END_INTERFACE");
     made.type = std::make_shared<TypeSyntax>();
@@ -135,7 +138,10 @@ class ProjectParser : private ChartParser {
     // Those of CODESYS that run by themselves at the start may write anything.
     const std::string folded = foldedName(made.name);
     const bool runsAlone = folded == "FB_INIT" || folded == "FB_REINIT";
-    leaveOut(begin, told, runsAlone ? Syntax::IecNotModelled : Syntax::IecTaken);
+    if (runsAlone)
+      leaveOut(begin, told, Severity::Error, Syntax::IecNotModelled);
+    else
+      leaveOut(begin, told, Severity::Warning);
     const std::string end = "END_" + word;
     while (!isEnd() && !is(end) && !isAny({"END_FUNCTION_BLOCK", "END_PROGRAM", "END_FUNCTION"})) take();
     accept(end);
@@ -164,8 +170,10 @@ class ProjectParser : private ChartParser {
       while (accept(","));
       if (!extends) continue;
       isWhole = false;
-      leaveOut(begin, fmt::format("inheritance is not modelled: {} has all of {}, so its body is left out",
-                                  excerpt(block.name), excerpt(names)));
+      leaveOut(begin,
+               fmt::format("inheritance is not modelled: {} has all of {}, so its body is left out",
+                           excerpt(block.name), excerpt(names)),
+               Severity::Warning);
     }
     return isWhole;
   }
