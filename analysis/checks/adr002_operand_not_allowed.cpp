@@ -28,7 +28,7 @@ std::string formText(const Operand& operand) {
     case OperandKind::Indirect: return "a pointer";
     case OperandKind::Address: return "an address with &";
     case OperandKind::Constant: return "a constant";
-    default: return "a text, or a name that no symbol can have,";
+    default: return "a text";
   }
 }
 
@@ -46,8 +46,9 @@ void checkForm(const Facts& facts, FindingSink& sink, const Instruction& instruc
     const std::string written = operand.kind == OperandKind::Text
                                     ? std::string(facts.program().sources->file(operand.span.file).text(operand.span))
                                     : toString(operand);
-    report(fmt::format("{} does not take {} as {}: {} is not allowed there", instruction.desc->stl, written, desc.name,
-                       formText(operand)));
+    report(fmt::format("{} does not take {} as {}: {} is not allowed there{}", instruction.desc->stl, written,
+                       desc.name, formText(operand),
+                       written.starts_with('"') ? ", and no name of a symbol is written so" : ""));
   } else if (!widthIsAllowed(desc, operand)) {
     report(fmt::format("{} needs {} as {}, but {} is {}", instruction.desc->stl, widthName(widthOf(desc.type)),
                        desc.name, toString(operand), widthName(operand.width)));

@@ -133,24 +133,15 @@ void checkRungs(const Facts& facts, FindingSink& sink) {
 
 enum class NumberKind : std::uint8_t { Unknown, Whole, Real, S5Time, Time };
 
-NumberKind numberKindOf(s7300::TypeKind type) {
+/// `Type`: DataType or s7300::TypeKind.
+template <class Type>
+NumberKind numberKindOf(Type type) {
   switch (type) {
-    case s7300::TypeKind::Int:
-    case s7300::TypeKind::DInt: return NumberKind::Whole;
-    case s7300::TypeKind::Real: return NumberKind::Real;
-    case s7300::TypeKind::S5Time: return NumberKind::S5Time;
-    case s7300::TypeKind::Time: return NumberKind::Time;
-    default: return NumberKind::Unknown;
-  }
-}
-
-NumberKind numberKindOf(DataType type) {
-  switch (type) {
-    case DataType::Int:
-    case DataType::DInt: return NumberKind::Whole;
-    case DataType::Real: return NumberKind::Real;
-    case DataType::S5Time: return NumberKind::S5Time;
-    case DataType::Time: return NumberKind::Time;
+    case Type::Int:
+    case Type::DInt: return NumberKind::Whole;
+    case Type::Real: return NumberKind::Real;
+    case Type::S5Time: return NumberKind::S5Time;
+    case Type::Time: return NumberKind::Time;
     default: return NumberKind::Unknown;
   }
 }
@@ -245,25 +236,21 @@ class StatementNumbers {
  private:
   /// Actual parameters have the type of the formal one (002:190).
   void call(const Instruction& instruction) {
-    const std::uint32_t block = facts_.blockOf(instruction.id);
-    for (const std::uint32_t site : facts_.calls().callsIn(block)) {
-      const CallSite& called = facts_.calls().sites()[site];
-      if (called.instruction->id != instruction.id || called.callee == noBlock) continue;
-      const Pou& callee = facts_.program().pous[called.callee];
-      std::size_t operand = hasInstance(callee) ? 2 : 1;
-      for (const LocalVariable& formal : callee.locals) {
-        if (!isParameter(formal)) continue;
-        if (operand >= instruction.operands.size()) break;
-        const Operand& actual = instruction.operands[operand++];
-        const NumberKind wanted = numberKindOf(formal.type),
-                         given = numberKindOf(declaredTypeOf(facts_, flow_, actual));
-        if (!areMixedKinds(wanted, given)) continue;
-        Finding& finding = sink_.report(
-            actual.span, fmt::format("{} is {}, and {} of {} takes {}", facts_.name(actual), numberKindName(given),
-                                     formal.name, callee.name, numberKindName(wanted)));
-        finding.address = toString(actual);
-        finding.help = std::string(helpFor(given));
-      }
+    const std::uint32_t called = facts_.calls().calleeOf(facts_.blockOf(instruction.id), instruction);
+    if (called == noBlock) return;
+    const Pou& callee = facts_.program().pous[called];
+    std::size_t operand = hasInstance(callee) ? 2 : 1;
+    for (const LocalVariable& formal : callee.locals) {
+      if (!isParameter(formal)) continue;
+      if (operand >= instruction.operands.size()) break;
+      const Operand& actual = instruction.operands[operand++];
+      const NumberKind wanted = numberKindOf(formal.type), given = numberKindOf(declaredTypeOf(facts_, flow_, actual));
+      if (!areMixedKinds(wanted, given)) continue;
+      Finding& finding = sink_.report(
+          actual.span, fmt::format("{} is {}, and {} of {} takes {}", facts_.name(actual), numberKindName(given),
+                                   formal.name, callee.name, numberKindName(wanted)));
+      finding.address = toString(actual);
+      finding.help = std::string(helpFor(given));
     }
   }
   static std::string_view helpFor(NumberKind kind) {
@@ -312,10 +299,10 @@ extern constexpr Rule ari008_types_mixed = {
     .needs = Needs::Flow,
     .detects =
         "S7-200: a box that takes a REAL where a box of the same rung has just left a whole number, or the reverse; "
-        "S7-300/400: a parameter of a call; a calculation, comparison, transfer or timer start right behind the load "
-        "of a constant, a "
-        "declared parameter, variable or member of a data block of the other type: INT or DINT with REAL, S5TIME with "
-        "TIME",
+        "S7-300/400: a parameter of a call that is declared as the other type, and a calculation, comparison, transfer "
+        "or timer start right behind the load of a constant or of something that is so declared: INT or DINT with "
+        "REAL, "
+        "S5TIME with TIME",
     .why = "nothing converts the bits: 5 taken as a REAL is nearly 0, and S5T#2S taken as a TIME is 512 ms",
     .manual = "001:3493, 002:1951-1978, 003:1016-1043",
     .bad = "Network 1\nLD SM0.0\nITD VW0, VD4\n*R 2.0, VD4\n",
