@@ -567,23 +567,22 @@ void drawnStatements(Program& program, const DrawnNetwork& network, Form form, B
     lost.span = network.span;
     block.body.push_back(std::move(lost));
   }
-  const std::string names[] = {fmt::format("__feedback_{}", block.variables.size()),
-                               fmt::format("__feedback_{}", block.variables.size() + 1)};
-  const std::optional<FeedbackNetworks> cut = withFeedback(network, names[0], names[1]);
+  const std::string name = fmt::format("{}{}", feedbackName, block.variables.size());
+  const std::optional<FeedbackNetworks> cut = withFeedback(network, name);
   if (!cut) return DrawingToStatements(program, network, form, block, sink).run();
-  for (const std::string& name : names) {
-    VariableSyntax& made = block.variables.emplace_back();
-    made.name = name;
-    made.type = std::make_shared<TypeSyntax>();
-    made.type->name = "BOOL";
-    made.type->span = made.span = network.span;
-  }
+  VariableSyntax& kept = block.variables.emplace_back();
+  kept.name = name;
+  kept.type = std::make_shared<TypeSyntax>();
+  kept.type->name = "BOOL";
+  kept.type->span = kept.span = network.span;
   if (cut->isSame) return DrawingToStatements(program, cut->stated, form, block, sink).run();
+  std::shared_ptr<const CircuitPicture> picture;  // of the first order
   const auto drawn = [&](const DrawnNetwork& one) {
     Statements outer = std::exchange(block.body, {});
     DrawingToStatements(program, one, form, block, sink).run();
     Statements made = std::exchange(block.body, std::move(outer));
     for (Statement& s : made) {
+      if (picture == nullptr) picture = s.drawn;
       s.circuit = 0;
       s.drawn = nullptr;
     }
@@ -592,6 +591,8 @@ void drawnStatements(Program& program, const DrawnNetwork& network, Form form, B
   Statement both = ifOf(readingOf("iec-fbd-order", "execution-id", network.span), drawn(cut->stated), network.span);
   both.otherwise = drawn(cut->byPlace);
   both.hasElse = true;
+  both.circuit = static_cast<int>(block.body.size()) + 1;
+  both.drawn = std::move(picture);
   block.body.push_back(std::move(both));
 }
 

@@ -222,12 +222,11 @@ class LoopOfGates {
 
 }  // namespace
 
-std::optional<FeedbackNetworks> withFeedback(const DrawnNetwork& network, const std::string& stated,
-                                             const std::string& byPlace) {
+std::optional<FeedbackNetworks> withFeedback(const DrawnNetwork& network, const std::string& variable) {
   const LoopOfGates loop(network);
   if (!loop.hasLoop()) return std::nullopt;
   const Wires first = loop.cutByNumber(), second = loop.cutByPlace();
-  auto byNumber = loop.cut(first, stated), left = loop.cut(second, byPlace);
+  auto byNumber = loop.cut(first, variable), left = loop.cut(second, variable);
   if (!byNumber || !left) return std::nullopt;
   return FeedbackNetworks{std::move(*byNumber), std::move(*left), first == second};
 }

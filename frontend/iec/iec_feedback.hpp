@@ -5,19 +5,22 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "frontend/graphical/drawn_model.hpp"
 
 namespace rungproof::iec {
 
-/// The drawing with that wire replaced by a variable of that name, which keeps the value. `stated`: gates in the order
-/// of their numbers, without numbers as the results need them; `byPlace`: from left to right.
+/// Variables that keep such a value; a number follows.
+inline constexpr std::string_view feedbackName = "__feedback_";
+
+/// The drawing with that wire replaced by a variable, which keeps the value. `stated`: gates in the order of their
+/// numbers, without numbers as the results need them; `byPlace`: from left to right.
 struct FeedbackNetworks {
   DrawnNetwork stated, byPlace;
   bool isSame = false;  ///< both orders give the same wire
 };
 /// Nothing: no loop is there, or not one that a single variable of that kind cuts.
-std::optional<FeedbackNetworks> withFeedback(const DrawnNetwork& network, const std::string& stated,
-                                             const std::string& byPlace);
+std::optional<FeedbackNetworks> withFeedback(const DrawnNetwork& network, const std::string& variable);
 
 }  // namespace rungproof::iec

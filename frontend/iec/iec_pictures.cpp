@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "frontend/iec/iec_feedback.hpp"
 #include "ir/s7200/isa.hpp"
 
 namespace rungproof::iec {
@@ -66,11 +67,14 @@ class PictureMaker {
              std::size_t pin = 0) {
     made_.values.push_back({part, how, element, static_cast<std::uint32_t>(pin), span.offset, std::move(member)});
   }
-  /// A variable that the reader made stands for the condition of a transition.
+  /// Variables that the reader made stand for the condition of a transition, or for what a wire carried before.
+  static std::string shownName(const std::string& text) {
+    return text.starts_with(feedbackName) ? "value before" : text.starts_with("__") ? "condition" : text;
+  }
   static Operand named(const std::string& text, Span span) {
     Operand operand;
     operand.kind = OperandKind::Symbol;
-    operand.text = text.starts_with("__") ? "condition" : text;
+    operand.text = shownName(text);
     operand.span = span;
     return operand;
   }
@@ -213,7 +217,7 @@ class PictureMaker {
     for (const DrawnPin& pin : element.inputs) {
       const std::string name = areAlike && foldedName(pin.name) != "EN" ? std::string() : pin.name;
       if (const DrawnElement* text = textAt(pin)) {
-        face->left.push_back({name, text->text, isLiteral(text->text), text->span});
+        face->left.push_back({name, shownName(text->text), isLiteral(text->text), text->span});
       } else if (!pin.links.empty()) {
         wires.push_back(arriving(i, pin).value_or(Wire{}));
         face->inputs.push_back(name);

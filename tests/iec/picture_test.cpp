@@ -82,6 +82,22 @@ TEST(IecPictures, ALadderAsListIsStructuredText) {
             "  Wait(IN := Motor, PT := T#1s);\n  IF Wait.Q THEN\n    Lamp := TRUE;\n  END_IF;\n");
 }
 
+/// An OR that is fed by the AND behind it: the wire carries the value of before, which is a wire of other gates in
+/// each order. The drawing shows the first order, in words and without XML.
+TEST(IecPictures, AWireOfBeforeIsSaidInWords) {
+  const std::string loop = inElement(1, "a", "", 10, 10) + inElement(2, "b", "", 10, 60) +
+                           blockElement(3, "OR", "", {{"IN1", {"1"}}, {"IN2", {"4"}}}, {"OUT"}, 60, 10) +
+                           blockElement(4, "AND", "", {{"IN1", {"3"}}, {"IN2", {"2"}}}, {"OUT"}, 120, 40) +
+                           outElement(5, {"4"}, "q", "", 200, 40);
+  const Program program = drawnProgram({"a:BOOL", "b:BOOL", "q:BOOL"}, "FBD", loop);
+  const Pou& main = pouNamed(program, "Main");
+  for (const Form form : {Form::Fbd, Form::Ladder}) {
+    const std::string text = textOf(linesOf(program, main.networks.at(0), form));
+    EXPECT_NE(text.find("value before"), std::string::npos) << text;
+    for (const std::string part : {"__", "condition", "<"}) EXPECT_EQ(text.find(part), std::string::npos) << text;
+  }
+}
+
 /// A circuit in which one statement cannot be lowered falls apart: the other coil is still there.
 TEST(IecPictures, OneLostStatementSparesTheOthersOfItsCircuit) {
   const std::string body = railElement(1) + contactElement(2, {"1"}, "Start", "", 10, 10) +
