@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "engine/cell_value.hpp"
+#include "engine/real_places.hpp"
 #include "engine/simulator.hpp"
 #include "ir/block_map.hpp"
 #include "ir/desc.hpp"
@@ -54,81 +55,6 @@ void forEachOperand(const Program& program, Visit&& visit) {
       }
     }
   }
-}
-
-bool isSamePlace(const Operand& a, const Operand& b) {
-  return a.kind == OperandKind::Direct && a.area == b.area && a.offset == b.offset && a.width == b.width;
-}
-
-/// Whether a pointer that a call hands over leads to a row of REAL numbers, one of which stands there.
-bool isInRealRow(const Operand& given, const Operand& operand) {
-  if (given.reach == nullptr || given.reach->way != Way::PointerTo) return false;
-  if (static_cast<AnyType>(given.reach->anyType) != AnyType::Real) return false;
-  const Operand& place = given.reach->pointer;
-  const std::uint32_t first = place.kind == OperandKind::Constant ? given.offset : place.offset;
-  const bool isHere = place.kind == OperandKind::Constant || place.kind == OperandKind::Direct;
-  return isHere && given.area == operand.area && operand.offset >= first &&
-         operand.offset < first + 4U * given.reach->anyCount && (operand.offset - first) % 4 == 0;
-}
-
-/// The type of what a call gives as its operand `i`.
-std::optional<DataType> formalType(const Program& program, const Instruction& call, std::size_t i) {
-  const bool isCall = call.desc->control == Control::Call || call.desc->control == Control::BlockCall;
-  if (!isCall || i == 0 || call.operands[0].kind != OperandKind::Constant) return std::nullopt;
-  const Pou* callee = program.subroutine(static_cast<int>(call.operands[0].value));
-  if (callee == nullptr) return std::nullopt;
-  std::size_t at = hasInstance(*callee) ? 2 : 1;
-  for (const LocalVariable& local : callee->locals) {
-    if (local.section == VarSection::Temp || local.section == VarSection::Static) continue;
-    if (at++ == i) return local.type;
-  }
-  return std::nullopt;
-}
-
-bool holdsReal(const s7300::Structure& structure, std::uint32_t byte);
-
-bool holdsReal(const s7300::Type& type, std::uint32_t byte) {
-  if (type.kind == s7300::TypeKind::Real) return byte == 0;
-  if (type.kind == s7300::TypeKind::Struct && type.structure != nullptr) return holdsReal(*type.structure, byte);
-  if (type.kind != s7300::TypeKind::Array || type.element == nullptr) return false;
-  std::uint64_t size = s7300::sizeOf(*type.element);
-  size += size > 1 ? size % 2 : 0;
-  return size != 0 && holdsReal(*type.element, static_cast<std::uint32_t>(byte % size));
-}
-
-bool holdsReal(const s7300::Structure& structure, std::uint32_t byte) {
-  for (const s7300::Field& field : structure.fields) {
-    const bool isInside = byte >= field.byte && byte < field.byte + s7300::sizeOf(field.type);
-    if (isInside && !field.byReference) return holdsReal(field.type, byte - field.byte);
-  }
-  return false;
-}
-
-bool isDeclaredReal(const Program& program, const Operand& operand) {
-  if (program.declarations == nullptr || operand.area != Area::DB) return false;
-  const auto found = program.declarations->dataBlocks.find(blockOfByte(operand.offset));
-  return found != program.declarations->dataBlocks.end() && holdsReal(*found->second, byteInBlock(operand.offset));
-}
-
-/// Whether an instruction takes the double word for a REAL, a call gives it for a REAL parameter, or a data block
-/// declares it so.
-bool isUsedAsReal(const Program& program, const Operand& operand) {
-  if (isDeclaredReal(program, operand)) return true;
-  for (const Pou& pou : program.pous) {
-    for (const Network& network : pou.networks) {
-      for (const Instruction& instruction : network.instructions) {
-        for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
-          const Operand& other = instruction.operands[i];
-          if (isInRealRow(other, operand)) return true;
-          if (!isSamePlace(other, operand)) continue;
-          const bool isListed = i < instruction.desc->operandCount;
-          if (isListed && instruction.desc->operands[i].type == Type::Real) return true;
-          if (formalType(program, instruction, i) == DataType::Real) return true;
-        }
-      }
-    }
-  }
-  return false;
 }
 
 /// Order of the groups in a trace.
@@ -187,7 +113,7 @@ int Trace::indexOf(const TraceSignal& signal) const {
 
 namespace {
 
-TraceSignal signalOf(const Program& program, const Operand& operand, const Symbol* symbol) {
+TraceSignal signalOf(const Program& program, const RealPlaces& reals, const Operand& operand, const Symbol* symbol) {
   TraceSignal signal;
   signal.operand = operand;
   const bool byNumber = hasBitAndWord(operand.area);
@@ -198,7 +124,7 @@ TraceSignal signalOf(const Program& program, const Operand& operand, const Symbo
   if (operand.width == Width::Bit) signal.type = SignalType::Bool;
   if (operand.width == Width::Byte) signal.type = SignalType::Unsigned;
   if (operand.width == Width::Word || operand.width == Width::DWord) signal.type = SignalType::Signed;
-  if (operand.width == Width::DWord && isUsedAsReal(program, operand)) signal.type = SignalType::Real;
+  if (operand.width == Width::DWord && reals.contains(operand)) signal.type = SignalType::Real;
   if (const auto meant = program.valueTypes.find(operand.offset);
       meant != program.valueTypes.end() && operand.width != Width::Bit)
     signal.type = meant->second == ValueType::Real     ? realOf(bits(operand.width))
@@ -210,17 +136,19 @@ TraceSignal signalOf(const Program& program, const Operand& operand, const Symbo
 }  // namespace
 
 TraceSignal signalOf(const Program& program, const Operand& operand) {
-  return signalOf(program, operand, program.symbolOf(operand));
+  return signalOf(program, RealPlaces(program), operand, program.symbolOf(operand));
 }
 
 std::vector<TraceSignal> touchedSignals(const Program& program) {
   Operands operands;
   std::set<Cell> seen;
+  const RealPlaces reals(program);
   const bool isOfVariables = dialectOf(program.target).memory.isOfVariables;
   if (isOfVariables) {  // in the order of their declaration, by their first names
     std::vector<TraceSignal> variables;
     for (const Symbol& symbol : program.symbols) {
-      if (seen.insert(cellOf(symbol.address)).second) variables.push_back(signalOf(program, symbol.address, &symbol));
+      if (seen.insert(cellOf(symbol.address)).second)
+        variables.push_back(signalOf(program, reals, symbol.address, &symbol));
     }
     return variables;
   }
@@ -253,7 +181,8 @@ std::vector<TraceSignal> touchedSignals(const Program& program) {
            std::tuple(groupOf(b.area), b.area, b.offset, b.width, b.bit);
   });
   std::vector<TraceSignal> signals;
-  for (const Operand& operand : operands) signals.push_back(signalOf(program, operand));
+  for (const Operand& operand : operands)
+    signals.push_back(signalOf(program, reals, operand, program.symbolOf(operand)));
   return signals;
 }
 

@@ -2,12 +2,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
+#include "engine/real_places.hpp"
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/encoding.hpp"
 #include "frontend/property/goal_names.hpp"
 #include "frontend/property/property_meant.hpp"
 #include "frontend/property/property_message.hpp"
+#include "ir/dialect.hpp"
 
 namespace rungproof {
 
@@ -41,8 +45,21 @@ void readPropertyText(std::uint32_t file, std::string_view text, std::uint32_t o
   readPropertyText(file, text, offset, lookup, set, findings, target, names);
 }
 
-PropertySet readProperties(Program& program, const std::vector<std::string>& files, const OperandLookup& lookup,
+OperandLookup withReals(const Program& program, OperandLookup lookup) {
+  if (dialectOf(program.target).memory.isOfVariables) return lookup;  // which are what they are declared as
+  return [&program, lookup = std::move(lookup),
+          reals = std::shared_ptr<const RealPlaces>()](std::string_view text) mutable -> std::optional<Operand> {
+    std::optional<Operand> found = lookup(text);
+    if (!found || found->width != Width::DWord || found->kind != OperandKind::Direct) return found;
+    if (reals == nullptr) reals = std::make_shared<const RealPlaces>(program);
+    if (reals->contains(*found)) found->form = ConstantForm::Real;
+    return found;
+  };
+}
+
+PropertySet readProperties(Program& program, const std::vector<std::string>& files, const OperandLookup& untyped,
                            const std::filesystem::path& root) {
+  const OperandLookup lookup = withReals(program, untyped);
   PropertySet set;
   GoalNames names;
   const std::size_t before = program.findings.size();

@@ -434,6 +434,7 @@ class Parser {
     if ((hasBit && !asValue) || (!areaInfo(o.area).width && o.width == Width::Bit)) return add(e, std::move(node));
     node.type = o.form == ConstantForm::Real ? ExprType::Real : ExprType::Number;
     node.width = signedWidth(o);
+    if (target_ == nullptr || !dialectOf(*target_).memory.isOfVariables) node.operand.form = ConstantForm::Decimal;
     return add(e, std::move(node));
   }
   /// The value of a timer or counter instead of its bit; of an S5 timer the ms that are left.

@@ -17,6 +17,9 @@ namespace rungproof {
 /// Gives the operand that an address or symbol means, or nothing.
 using OperandLookup = std::function<std::optional<Operand>(std::string_view)>;
 
+/// The same lookup, in which double words that the program uses as REAL numbers are marked so (ConstantForm::Real).
+OperandLookup withReals(const Program& program, OperandLookup lookup);
+
 /// Reads the directives of `program`, then the files; findings go to program.findings. A file that cannot be
 /// opened is an error finding as well.
 PropertySet readProperties(Program& program, const std::vector<std::string>& files, const OperandLookup& lookup,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 namespace rungproof {
 
@@ -45,6 +46,11 @@ bool hasHighestBit(std::int64_t pattern) {
     if (pattern >> w == 0) return (pattern >> (w - 1) & 1) != 0;
   }
   return false;
+}
+
+/// Memory that the program uses as a REAL: beside it a pattern gives the bits.
+bool isPlaceOfReal(const ExprNode& n) {
+  return n.type == ExprType::Real && n.width == 32 && n.operand.form == ConstantForm::Decimal;
 }
 
 bool isLongReal(const ExprNode& n) { return n.type == ExprType::Real && n.width == 64; }
@@ -96,6 +102,14 @@ void fitConstant(Expr& expr, std::uint32_t constant, std::uint32_t other, std::v
   const bool isPattern = number.operand.form == ConstantForm::Hex;
   if (address == nullptr && isPattern && isComputed(expr.nodes[other]) && hasHighestBit(number.value))
     remarks.push_back(fmt::format("beside a sum or product a pattern is a number: 16#{0:X} is {0}", number.value));
+  if (address != nullptr && isPattern && isPlaceOfReal(*address) && number.value >> 32 == 0) {
+    number.type = ExprType::Real;
+    number.width = 32;
+    const auto single = std::bit_cast<float>(static_cast<std::uint32_t>(number.value));
+    number.operand.value = std::bit_cast<std::int64_t>(static_cast<double>(single));
+    number.operand.form = ConstantForm::Real;
+    return;
+  }
   if (address == nullptr || address->type != ExprType::Number) return;
   const int w = address->width;
   if (w >= 64) {  // beside a number with a sign a pattern has one too

@@ -91,7 +91,7 @@ PropertySet declaredFor(const Program& declaring, Program& program) {
   for (const Directive& directive : declaring.directives) {
     const std::uint32_t file = program.sources->add("declared in OLD", directive.text);
     std::vector<Finding> mistakes;  // a property that NEW's symbols do not explain is one that changed
-    readPropertyText(file, directive.text, 0, lookupIn(program), set, mistakes, &program.target);
+    readPropertyText(file, directive.text, 0, withReals(program, lookupIn(program)), set, mistakes, &program.target);
   }
   return set;
 }

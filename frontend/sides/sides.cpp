@@ -175,8 +175,8 @@ ProgramInput readSide(const Settings& settings, const std::vector<std::string>& 
 /// `lines`: what of the text is said of this program; the rest is blank.
 void addProperties(ProgramInput& input, const std::string& name, const std::string& text, const std::string& lines) {
   const std::uint32_t file = input.program.sources->add(name, text);
-  readPropertyText(file, lines, 0, lookupIn(input.program), input.properties, input.program.findings,
-                   &input.program.target);
+  readPropertyText(file, lines, 0, withReals(input.program, lookupIn(input.program)), input.properties,
+                   input.program.findings, &input.program.target);
 }
 
 /// An address of OLD by its name there, or by a symbol that only NEW has.
