@@ -33,19 +33,19 @@ class EncodedScan::Impl {
     // On, unless the program overwrites it.
     const SystemBit& on = dialectOf(program.target).systemBits.alwaysOn;
     knowledge.constants = {{memoryPlace(on.area, on.byte, Width::Bit, on.bit), 1}};
-    std::set<int> routines;
-    bool isOfDevices = false;
     if (options.interrupts) {
       for (const auto& [event, attached] : attachmentsOf(plan)) {
-        routines.insert(attached.begin(), attached.end());
-        isOfDevices = isOfDevices || isPulseEvent(event) || portEvent(event);
+        routines.routines.insert(attached.begin(), attached.end());
+        routines.isOfDevices = routines.isOfDevices || isPulseEvent(event) || portEvent(event);
       }
     }
+    routines.statements = options.statements;
     if (options.trail) effects = options.trail->effects;  // of whoever wants others
-    if (!routines.empty() && !effects)
-      effects = std::make_shared<const RoutineEffects>(plan, layout, routines, isOfDevices, options.statements);
+    if (!routines.routines.empty() && !effects) findEffects();
     for (int round = 0; !learn(); ++round) {
-      if (round == roundLimit) knowledge.followsPointers = false;
+      if (round != roundLimit) continue;
+      knowledge.followsPointers = routines.followsPointers = false;
+      if (effects) findEffects();
     }
     knowledge.isFinal = true;
     if (options.trail) {
@@ -61,6 +61,7 @@ class EncodedScan::Impl {
   Plan plan;
   MemoryLayout layout;
   Knowledge knowledge;
+  RoutineEffects::Given routines;                 ///< that interrupts run
   std::shared_ptr<const RoutineEffects> effects;  ///< nullptr: nothing is attached
   std::unique_ptr<ScanEncoding> scan;
 
@@ -70,11 +71,23 @@ class EncodedScan::Impl {
 
   void encode() { scan = std::make_unique<ScanEncoding>(program, options, plan, layout, knowledge, effects.get()); }
 
+  void findEffects() { effects = std::make_shared<const RoutineEffects>(plan, layout, routines); }
+
+  /// Whether routines began in the last round as their effects say; if not, these are found anew.
+  bool beganAsKnown() {
+    if (!effects) return true;
+    EntryValues known = effects->entry();
+    if (!join(known, scan->entryValues())) return true;
+    routines.entry = std::move(known);
+    findEffects();
+    return false;
+  }
+
   /// One round. True if it confirmed what it was built on; then the constants it found are adopted as well.
   bool learn() {
     encode();
     const TransitionSystem system = scan->system();
-    VariableValues values, later;
+    VariableValues values = scan->keptValues(), later;
     for (const Cell& cell : scan->cells()) {
       const auto known = knowledge.values.find(cell.place);
       if (cell.kind == CellKind::State && known != knowledge.values.end()) values[cell.start] = known->second;
@@ -104,8 +117,9 @@ class EncodedScan::Impl {
     const std::vector<Place> changing = refuted(values);
     for (const Place& place : changing) knowledge.constants.erase(place);
     const bool isNewFootprint = knowledge.footprints.merge(scan->footprints());
-    bool isConfirmed =
-        changing.empty() && !isNewFootprint && !addTables() && (!areFirstScansNew || scan->pointerCells().empty());
+    const bool areEntriesKnown = beganAsKnown();
+    bool isConfirmed = areEntriesKnown && changing.empty() && !isNewFootprint && !addTables() &&
+                       (!areFirstScansNew || scan->pointerCells().empty());
     std::map<Place, std::uint64_t> found;
     for (const Cell& cell : scan->cells()) {
       if (cell.kind != CellKind::State) continue;

@@ -91,6 +91,7 @@ class RuleGuess {
     for (const RunBounds::Cell& a : cells_) {
       for (const RunBounds::Cell& b : cells_) {
         if (!(a.place < b.place) || a.place.width != b.place.width || (!a.isWritten && !b.isWritten)) continue;
+        if (a.isBehindPointer || b.isBehindPointer) continue;
         if (++pairs > mostPairs) return;
         propose({.kind = Kind::Same, .place = a.place, .other = b.place});
         if (a.place.width == 1) continue;

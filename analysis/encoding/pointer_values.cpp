@@ -11,11 +11,31 @@ namespace rungproof {
 
 namespace {
 
+constexpr std::size_t mostCases = 16;    ///< values of a variable that are tried one by one
+constexpr std::size_t mostTried = 6;     ///< variables
+constexpr std::size_t longCone = 1500;   ///< nodes of a next function: to walk through it takes long
+constexpr std::size_t mostOfRange = 64;  ///< values within bounds that are taken for what it becomes instead
+
 /// Rounds in which sets may grow before bounds are widened.
 constexpr int roundsBeforeWidening = 6;
 constexpr int nestedChoices = 4;  ///< that a bound is followed through
 
 }  // namespace
+
+std::vector<Node> partsOf(const Graph& graph, Node root) {
+  std::vector<Node> parts, open{root};
+  std::set<Node> met{root};
+  while (!open.empty()) {
+    const NodeData& node = graph[open.back()];
+    if (node.op == Op::Variable) parts.push_back(open.back());
+    open.pop_back();
+    for (const Node child : node.child) {
+      const bool isValue = child != noNode && node.op != Op::Constant && graph[child].width > 1;
+      if (isValue && met.insert(child).second) open.push_back(child);
+    }
+  }
+  return parts;
+}
 
 std::vector<Node> variablesOf(const Graph& graph, Node root) {
   std::vector<Node> result;
@@ -76,6 +96,14 @@ Assumed assuming(Graph& graph, Node node, Node guard) {
   return {Substitution(graph, std::move(truths))(node), together};
 }
 
+ValueEvaluator::ValueEvaluator(const Graph& graph, const VariableValues& known) : graph_(graph), variables_(known) {
+  for (const auto& [n, values] : known) {
+    if (graph[n].op == Op::Variable) continue;
+    isKnown_.resize(graph.size());
+    isKnown_[indexOf(n)] = true;
+  }
+}
+
 ValueSet ValueEvaluator::evaluate(Node n, std::size_t limit) {
   const NodeData& node = graph_[n];
   ValueSet result;
@@ -99,6 +127,10 @@ ValueSet ValueEvaluator::evaluate(Node n, std::size_t limit) {
       if (i < 2) widths[i] = graph_[node.child[i]].width;
     }
     result = ValueSet::combine(node, widths, operand, limit);
+  }
+  if (indexOf(n) < isKnown_.size() && isKnown_[indexOf(n)]) {
+    const Graph::Facts& known = variables_.at(n).facts();
+    result.restrict(known.low, known.high, limit);
   }
   if (const auto bounds = unsigned_.find(n); bounds != unsigned_.end())
     result.restrict(bounds->second.low, bounds->second.high, limit);
@@ -146,6 +178,25 @@ void ValueEvaluator::collectCompared() {
   }
 }
 
+/// The values of x + 1, or of x in more bits, where the condition bounds x: x < 16 ? x + 1 : x. Nothing: it does not.
+std::optional<ValueSet> ValueEvaluator::boundedByPart(Node n, Node condition, bool isTrue, std::size_t limit,
+                                                      int depth) const {
+  const NodeData& node = graph_[n];
+  if ((node.op != Op::Add && node.op != Op::Zext) || isCompared_[indexOf(n)]) return std::nullopt;
+  const bool isSecond = node.op == Op::Add && graph_[node.child[0]].op == Op::Constant;
+  const Node part = node.child[isSecond ? 1 : 0], constant = node.child[isSecond ? 0 : 1];
+  if (!isCompared_[indexOf(part)] || (node.op == Op::Add && graph_[constant].op != Op::Constant)) return std::nullopt;
+  const int width = graph_[part].width;
+  const std::uint64_t mask = Graph::maskOf(width);
+  const Bounded inside = boundedBy(part, condition, isTrue, {{0, mask}, {0, mask}});
+  if (isFree(inside, width)) return std::nullopt;
+  const ValueSet values = choice(part, inside, limit, depth + 1);
+  if (values.isEmpty()) return values;
+  const ValueSet* other = node.op == Op::Add ? &at(constant) : nullptr;
+  return ValueSet::combine(node, {width, width}, {isSecond ? other : &values, isSecond ? &values : other, nullptr},
+                           limit);
+}
+
 /// The values of a node within bounds; of a choice, those of each alternative where it is chosen: x > 9 ? 9 : x.
 ValueSet ValueEvaluator::choice(Node n, const Bounded& bounds, std::size_t limit, int depth) const {
   const NodeData& node = graph_[n];
@@ -155,6 +206,12 @@ ValueSet ValueEvaluator::choice(Node n, const Bounded& bounds, std::size_t limit
     for (const bool isTrue : {true, false}) {
       if (!condition.contains(isTrue ? 1 : 0)) continue;
       const Node chosen = node.child[isTrue ? 1 : 2];
+      if (const std::optional<ValueSet> whole = boundedByPart(chosen, node.child[0], isTrue, limit, depth)) {
+        ValueSet part = *whole;
+        if (!isFree(bounds, node.width)) part.restrict(bounds.asUnsigned.low, bounds.asUnsigned.high, limit);
+        result.join(part, limit);
+        continue;
+      }
       const Bounded inside = isCompared_[indexOf(chosen)] ? boundedBy(chosen, node.child[0], isTrue, bounds) : bounds;
       result.join(isFree(inside, node.width) ? at(chosen) : choice(chosen, inside, limit, depth + 1), limit);
     }
@@ -193,6 +250,29 @@ ValueSet ValueEvaluator::valuesOf(Node root, Node guard, std::size_t limit) {
   return at(root);
 }
 
+ValueSet ValueEvaluator::valuesByCase(Node root, Node guard, std::size_t limit) {
+  const ValueSet values = valuesOf(root, guard, limit).listedIfFew(limit);
+  if (values.isListed()) return values;
+  std::size_t tried = 0;
+  for (const Node n : variablesOf(graph_, root)) {
+    const auto known = variables_.find(n);
+    if (known == variables_.end()) continue;
+    const ValueSet cases = known->second.listedIfFew(mostCases);
+    if (!cases.isListed() || cases.isSingle() || cases.isEmpty()) continue;
+    if (++tried > mostTried) break;
+    ValueSet found;
+    fixed_ = n;
+    for (const std::uint64_t value : cases.values()) {
+      fixedValue_ = ValueSet::of(value);
+      found.join(valuesOf(root, guard, limit).listedIfFew(limit), limit);
+      if (!found.isListed()) break;
+    }
+    fixed_ = noNode;
+    if (found.isListed()) return found;
+  }
+  return values;
+}
+
 ValueSet ValueEvaluator::valuesWith(std::span<const Node> cone, Node variable, const ValueSet& value,
                                     std::size_t limit) {
   fixed_ = variable;
@@ -211,7 +291,8 @@ std::optional<ValueEvaluator::Limit> ValueEvaluator::limitOf(Node n, bool isTrue
     const std::uint64_t all = Graph::maskOf(graph_[test.child[0]].width), half = all ^ all >> 1;
     return Limit{test.child[0], std::nullopt, isNegated ? Bounds{half, all} : Bounds{0, half - 1}};
   }
-  if (test.op != Op::Equal && test.op != Op::Ult && test.op != Op::Slt) return std::nullopt;
+  const bool isOrEqual = test.op == Op::Ule || test.op == Op::Sle;
+  if (test.op != Op::Equal && test.op != Op::Ult && test.op != Op::Slt && !isOrEqual) return std::nullopt;
   const bool isRight = graph_[test.child[1]].op == Op::Constant;
   if (!isRight && graph_[test.child[0]].op != Op::Constant) return std::nullopt;
   const Node subject = test.child[isRight ? 0 : 1];
@@ -221,20 +302,23 @@ std::optional<ValueEvaluator::Limit> ValueEvaluator::limitOf(Node n, bool isTrue
     if (isNegated) return std::nullopt;
     return Limit{subject, Bounds{raw, raw}, Bounds{raw ^ sign, raw ^ sign}};
   }
-  const std::uint64_t k = test.op == Op::Slt ? raw ^ sign : raw;
+  // x <= k is the negation of k < x.
+  const bool isSigned = test.op == Op::Slt || test.op == Op::Sle;
+  const bool isBelow = isRight != isOrEqual, isRefuted = isNegated != isOrEqual;
+  const std::uint64_t k = isSigned ? raw ^ sign : raw;
   Bounds bounds{0, mask};
-  if (isRight) {
-    if (isNegated)
+  if (isBelow) {
+    if (isRefuted)
       bounds.low = k;
     else
       bounds.high = k - 1;
   } else {
-    if (isNegated)
+    if (isRefuted)
       bounds.high = k;
     else
       bounds.low = k + 1;
   }
-  return test.op == Op::Slt ? Limit{subject, std::nullopt, bounds} : Limit{subject, bounds, std::nullopt};
+  return isSigned ? Limit{subject, std::nullopt, bounds} : Limit{subject, bounds, std::nullopt};
 }
 
 /// Of alternatives about one subject: x > 0 or x = 0.
@@ -437,7 +521,8 @@ class PointerCells {
       const std::uint64_t from = open.back();
       open.pop_back();
       if (interruption_) interruption_();
-      const ValueSet to = evaluator_.valuesWith(cone_, cell, ValueSet::of(from), pointerValueLimit);
+      ValueSet to = evaluator_.valuesWith(cone_, cell, ValueSet::of(from), pointerValueLimit);
+      if (cone_.size() > longCone) to = to.listedIfFew(mostOfRange);
       if (!to.isListed()) return false;
       for (const std::uint64_t v : to.values()) {
         if (found.insert(v).second) open.push_back(v);

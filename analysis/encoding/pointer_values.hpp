@@ -25,17 +25,20 @@ namespace rungproof {
 inline constexpr std::size_t pointerValueLimit = 512;
 inline constexpr std::size_t valueLimit = 8;
 
-/// Known values of variables; variables that are missing may have any.
+/// Known values of variables; variables that are missing may have any. Other nodes that are in it have no other values
+/// than these.
 using VariableValues = std::unordered_map<Node, ValueSet>;
 
 /// Abstract evaluation of nodes, given values of variables.
 class ValueEvaluator {
  public:
-  ValueEvaluator(const Graph& graph, const VariableValues& variables) : graph_(graph), variables_(variables) {}
+  ValueEvaluator(const Graph& graph, const VariableValues& known);
 
   /// Values of `root` where `guard` (width 1) holds: its conjuncts are true, and comparisons with constants narrow what
   /// they compare.
   ValueSet valuesOf(Node root, Node guard, std::size_t limit);
+  /// The same; where they are too many, after one variable of few values was given each of these in turn.
+  ValueSet valuesByCase(Node root, Node guard, std::size_t limit);
   /// Values of `root` with one variable fixed.
   ValueSet valuesWith(std::span<const Node> cone, Node variable, const ValueSet& value, std::size_t limit);
   /// All nodes of a cone (children first); read with at().
@@ -60,6 +63,7 @@ class ValueEvaluator {
   void boundParts();
   ValueSet evaluate(Node n, std::size_t limit);
   Bounded boundedBy(Node subject, Node condition, bool isTrue, Bounded bounds) const;
+  std::optional<ValueSet> boundedByPart(Node n, Node condition, bool isTrue, std::size_t limit, int depth) const;
   ValueSet choice(Node n, const Bounded& bounds, std::size_t limit, int depth) const;
   bool isFree(const Bounded& bounds, int width) const;
   void collectCompared();
@@ -68,6 +72,7 @@ class ValueEvaluator {
   const VariableValues& variables_;
   std::vector<ValueSet> values_;                        ///< by node; of the cone that was run last
   std::vector<bool> isCompared_;                        ///< by node: with a constant
+  std::vector<bool> isKnown_;                           ///< by node: no variable, and its values are known
   std::unordered_map<Node, Bounds> unsigned_, signed_;  ///< signed bounds are shifted so that their order is unsigned
   Node fixed_ = noNode;
   ValueSet fixedValue_;
@@ -101,5 +106,7 @@ Assumed assuming(Graph& graph, Node node, Node guard);
 
 /// The variables that a node depends on.
 std::vector<Node> variablesOf(const Graph& graph, Node root);
+/// Those that it is made of: what only decides between values is left out.
+std::vector<Node> partsOf(const Graph& graph, Node root);
 
 }  // namespace rungproof

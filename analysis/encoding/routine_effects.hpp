@@ -5,6 +5,8 @@
 //     they may change places), one run of each is enough, and nothing has to be estimated;
 //   - otherwise bounds and rules are sought that every run keeps (run_bounds.hpp, kept_states.hpp). What none of them
 //   tells of may become anything.
+// Pointers of a routine lead where the values of the cells that they are made of allow: all of this is true of routines
+// that begin with these values (entry_values.hpp), and each run keeps them.
 // Covered by tests/environment.
 #pragma once
 
@@ -20,10 +22,15 @@ namespace rungproof {
 
 class RoutineEffects {
  public:
-  /// `routines`: numbers of interrupt routines that the program has. `isOfDevices`: some of their events bring values
-  /// of a device with them, so that no run is the same as the one before. `statements`: of which runs may keep some.
-  RoutineEffects(const Plan& plan, const MemoryLayout& layout, const std::set<int>& routines, bool isOfDevices,
-                 const std::vector<Expr>& statements = {});
+  /// What is looked at.
+  struct Given {
+    std::set<int> routines{};        ///< numbers of interrupt routines that the program has
+    bool isOfDevices = false;        ///< some of their events bring values of a device, so that no run is as another
+    std::vector<Expr> statements{};  ///< of which runs may keep some
+    EntryValues entry{};             ///< that routines are known to begin with, at least
+    bool followsPointers = true;
+  };
+  RoutineEffects(const Plan& plan, const MemoryLayout& layout, const Given& given);
 
   /// One run of each in any fixed order stands for all sequences of runs.
   bool isOnePassEnough() const { return isOnePassEnough_; }
@@ -35,6 +42,8 @@ class RoutineEffects {
   bool mayHalt(int routine) const { return halting_.contains(routine); }
   /// What any number of runs keeps.
   const RunBounds& bounds() const { return bounds_; }
+  /// What this rests on: the values that cells may have where a routine begins. Each run keeps them.
+  const EntryValues& entry() const { return entry_; }
 
   /// What all this says, as nodes of a graph of the program as it is written that are 1 whatever the memory holds: the
   /// routines are run once more without simplification. By routine: it writes nothing else, it does not end the
@@ -46,6 +55,7 @@ class RoutineEffects {
 
  private:
   class Trial;
+  void closeEntry(const Plan& plan, const MemoryLayout& layout, const std::set<int>& routines);
   void findBounds(Trial& trial, const Plan& plan, const MemoryLayout& layout, const std::vector<Expr>& statements);
   std::vector<Node> facts(Trial& trial) const;
 
@@ -54,6 +64,7 @@ class RoutineEffects {
   std::map<int, std::vector<Place>> written_;
   std::set<int> halting_;
   RunBounds bounds_;
+  EntryValues entry_;
   std::map<std::vector<int>, Decisions> runs_;  ///< what each sequence of runs was told
 };
 

@@ -92,7 +92,10 @@ class RunBounds::Search {
   Search(Graph& graph, const std::vector<Cell>& cells, const std::vector<Run>& runs)
       : graph_(graph), cells_(cells), runs_(runs), end_(std::chrono::steady_clock::now() + searchLimit) {
     std::vector<Node> roots;
-    for (std::size_t i = 0; i < cells.size(); ++i) at_.emplace(cells[i].place, i);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      at_.emplace(cells[i].place, i);
+      roots.push_back(cells[i].now);
+    }
     for (const Run& run : runs) {
       for (const auto& [index, after] : run) roots.push_back(after);
     }
@@ -139,7 +142,7 @@ std::vector<RunBounds::Bound> RunBounds::Search::proposedForOne() const {
   using enum Kind;
   std::vector<Bound> bounds;
   for (const Cell& cell : cells_) {
-    if (cell.isOfReals || !cell.isWritten) continue;
+    if (cell.hasNoBounds() || !cell.isWritten) continue;
     const int width = cell.place.width;
     std::vector<std::uint64_t> known;
     if (const auto some = constants_.find(width); some != constants_.end())
@@ -168,7 +171,7 @@ std::vector<RunBounds::Bound> RunBounds::Search::proposedForTwo() const {
   std::size_t pairs = 0;
   for (const Cell& a : cells_) {
     for (const Cell& b : cells_) {
-      if (!(a.place < b.place) || a.place.width != b.place.width || a.isOfReals || b.isOfReals) continue;
+      if (!(a.place < b.place) || a.place.width != b.place.width || a.hasNoBounds() || b.hasNoBounds()) continue;
       if (!a.isWritten && !b.isWritten) continue;
       if (isOfDevices(a.place) || isOfDevices(b.place)) continue;
       if (++pairs > mostPairsTried) return bounds;
@@ -203,7 +206,6 @@ std::vector<RunBounds::Bound> RunBounds::Search::proposedForTwo() const {
 void RunBounds::Search::weed(std::vector<Bound>& ofOne, std::vector<Bound>& ofTwo) {
   std::mt19937_64 random(1);
   Evaluator evaluator(graph_, roots_);
-  std::set<Node> read(variables_.begin(), variables_.end());
   std::vector<Node> from(cells_.size(), noNode), to;
   for (int sample = 0; sample < samples; ++sample) {
     const std::uint64_t common = random();
@@ -220,8 +222,7 @@ void RunBounds::Search::weed(std::vector<Bound>& ofOne, std::vector<Bound>& ofTw
     for (const Node v : variables_) evaluator.set(v, some(graph_[v].width));
     evaluator.run();
     for (std::size_t i = 0; i < cells_.size(); ++i) {
-      const int width = cells_[i].place.width;
-      from[i] = graph_.constantNode(read.contains(cells_[i].now) ? evaluator[cells_[i].now] : some(width), width);
+      from[i] = graph_.constantNode(evaluator[cells_[i].now], cells_[i].place.width);
     }
     for (const Run& run : runs_) {
       to = from;
@@ -343,8 +344,15 @@ void RunBounds::add(std::vector<StateRules> kept) {
   group();
 }
 
+void RunBounds::begin(const EntryValues& values) {
+  entered_.assign(values.begin(), values.end());
+  std::erase_if(entered_, [](const auto& entry) { return entry.second == ValueSet::any(entry.first.width); });
+  group();
+}
+
 std::set<Place> RunBounds::placesOf(std::size_t number) const {
   std::set<Place> places;
+  if (isOfEntry(number)) return {entered_[number - bounds_.size() - kept_.size()].first};
   if (number < bounds_.size()) {
     const Bound& bound = bounds_[number];
     places.insert(bound.place);
@@ -361,6 +369,10 @@ std::set<Place> RunBounds::placesOf(std::size_t number) const {
 Node RunBounds::holds(Graph& graph, std::size_t number, const EndsOf& ends,
                       const std::function<bool(Graph::Bool)>& isPossible) const {
   if (number < bounds_.size()) return bounds_[number].holds(graph, ends);
+  if (isOfEntry(number)) {
+    const auto& [place, values] = entered_[number - bounds_.size() - kept_.size()];
+    return isIn(graph, ends(place).after, values).node;
+  }
   const StateRules& rules = kept_[number - bounds_.size()];
   const Graph::Bool before = allHold(graph, rules, [&](const Place& place) { return ends(place).before; });
   const Graph::Bool after = allHold(graph, rules, [&](const Place& place) { return ends(place).after; });
@@ -424,7 +436,8 @@ std::vector<Node> RunBounds::facts(Graph& graph, const std::vector<Cell>& cells,
   const auto cellOf = [&](const Place& place) -> const Cell& { return cells[at.at(place)]; };
   Graph::Bool areWithin = graph.constant(true);
   for (std::size_t i = 0; i < count(); ++i) {
-    facts.push_back(holds(graph, i, [&](const Place& p) { return Ends{cellOf(p).before, cellOf(p).before}; }));
+    if (!isOfEntry(i))
+      facts.push_back(holds(graph, i, [&](const Place& p) { return Ends{cellOf(p).before, cellOf(p).before}; }));
     areWithin = graph.land(areWithin, {holds(graph, i, [&](const Place& p) {
                              return Ends{cellOf(p).before, cellOf(p).now};
                            })});
@@ -447,6 +460,7 @@ std::vector<Node> RunBounds::facts(Graph& graph, const std::vector<Cell>& cells,
 
 void RunBounds::forget(const Place& place) {
   written_.erase(place);
+  std::erase_if(entered_, [&](const auto& entry) { return entry.first == place; });
   std::erase_if(bounds_, [&](const Bound& bound) { return bound.isAbout(place); });
   std::erase_if(kept_, [&](const StateRules& rules) {
     return std::ranges::any_of(rules, [&](const StateRule& rule) {

@@ -10,6 +10,7 @@
 #include <set>
 #include <vector>
 
+#include "analysis/encoding/entry_values.hpp"
 #include "analysis/encoding/state_rule.hpp"
 #include "analysis/encoding/symbolic_store.hpp"
 #include "analysis/graph/graph.hpp"
@@ -22,8 +23,10 @@ class RunBounds {
   struct Cell {
     Place place;
     Node before, now;
-    bool isWritten = true;   ///< false: only read, so that both are the same
-    bool isOfReals = false;  ///< what REAL arithmetic decides: proofs about it come to no end
+    bool isWritten = true;         ///< false: only read, so that both are the same
+    bool isOfReals = false;        ///< what REAL arithmetic decides: proofs about it come to no end
+    bool isBehindPointer = false;  ///< written through one: it has rules of its own, and no bounds
+    bool hasNoBounds() const { return isOfReals || isBehindPointer; }
   };
   /// What one routine leaves in the cells that it writes, by their numbers.
   using Run = std::vector<std::pair<std::size_t, Node>>;
@@ -36,6 +39,8 @@ class RunBounds {
   void find(Graph& graph, const std::vector<Cell>& cells, const std::vector<Run>& runs);
   /// Takes sets of rules in that runs keep.
   void add(std::vector<StateRules> kept);
+  /// What holds in front of all runs; each run keeps it.
+  void begin(const EntryValues& values);
   /// How cells may change together.
   struct Change {
     EndsOf ends;
@@ -87,8 +92,9 @@ class RunBounds {
   };
   class Search;
   void group();
-  std::size_t count() const { return bounds_.size() + kept_.size(); }
-  /// Of a bound, or behind these of a set of rules.
+  std::size_t count() const { return bounds_.size() + kept_.size() + entered_.size(); }
+  bool isOfEntry(std::size_t number) const { return number >= bounds_.size() + kept_.size(); }
+  /// Of a bound, behind these of a set of rules, and behind those of a cell whose values at the beginning are known.
   std::set<Place> placesOf(std::size_t number) const;
   Node holds(Graph& graph, std::size_t number, const EndsOf& ends,
              const std::function<bool(Graph::Bool)>& isPossible = {}) const;
@@ -96,6 +102,7 @@ class RunBounds {
   std::set<Place> written_;
   std::vector<Bound> bounds_;
   std::vector<StateRules> kept_;
+  std::vector<std::pair<Place, ValueSet>> entered_;
   std::map<Place, std::size_t> groupOf_;          ///< of written cells that bounds and rules connect
   std::vector<std::vector<std::size_t>> groups_;  ///< numbers of the bounds and sets of rules of each group
 };

@@ -97,7 +97,11 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   const Footprints& footprints() const { return footprints_; }
   const std::set<Node>& pointerCells() const { return pointerCells_; }
   /// Whether what the run did depends on the values of cells that it was told.
-  bool reliesOnValues() const { return !pointerCells_.empty() || prunesLoops_; }
+  bool reliesOnValues() const { return !pointerCells_.empty() || prunesLoops_ || restsOnEntries_; }
+  /// What the cells that pointers of routines are made of hold where routines can come (RoutineEffects::entry).
+  const EntryValues& entryValues() const { return entryValues_; }
+  /// Values of nodes that follow from it.
+  const VariableValues& keptValues() const { return keptValues_; }
   bool hasEvents() const { return !attachments_.empty(); }
   /// No more of the program follows: what is touched from now on has never been written.
   void close() { isClosed_ = true; }
@@ -118,8 +122,9 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   void accessed() override;
   Graph::Bits external(const ExternalSite& site, int width) override;
   void report(Hazard hazard, Graph::Bool condition, const Instruction* place) override;
-  ValueSet pointerValues(Node pointer, Node guard);
-  ValueSet listedOrBounded(Node pointer, Node guard);
+  using Evaluation = ValueSet (ValueEvaluator::*)(Node, Node, std::size_t);
+  ValueSet pointerValues(Node pointer, Node guard, Evaluation evaluation = &ValueEvaluator::valuesOf);
+  ValueSet whereItLeads(Node pointer, Node guard);
   void tellList(Graph::Bool isIn);
   std::vector<Node> decidedFacts();
   void addKnownValues(ToldFacts& told);
@@ -154,6 +159,8 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   void noteEndOfReception(const Instruction& instruction);
   struct Round;
   void runEvent(Runner& runner, Round& round, int event);
+  void noteEntry(Round& round, Graph::Bool mayCome);
+  void tellKept(const Round& round);
   void runRoutines(Runner& runner, Round& round, int event, Graph::Bool fires);
   void serveLeft(Runner& runner, Round& round, int event);
   void moreRuns(Runner& runner, Round& round);
@@ -235,6 +242,9 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   LoopWidening widening_;
   VariableValues known_, later_;
   std::set<Node> pointerCells_;
+  EntryValues entryValues_;
+  VariableValues keptValues_;  ///< of what routines have left
+  bool restsOnEntries_ = false;
 };
 
 }  // namespace rungproof

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "analysis/encoding/scan_encoding.hpp"
+#include "analysis/encoding/scan_round.hpp"
 #include "ir/families/run.hpp"
 #include "ir/s7200/event_cause.hpp"
 #include "ir/s7200/isa/comm.hpp"
@@ -47,21 +48,6 @@ bool isOfRequest(int event) {
 }
 
 }  // namespace
-
-/// What happens at one place.
-struct ScanEncoding::Round {
-  BoundarySite where;
-  bool isEnd = false;  ///< after the program
-  bool isLastPass = false;
-  std::vector<int> events{};       ///< that can be noticed here, by priority
-  std::map<Place, Node> before{};  ///< what routines can change, as it was in front of the place
-  Graph::Bool hasChanged{};        ///< the last pass has changed something
-  Graph::Bool mustGoOn{};          ///< more runs come than are followed
-  Graph::Bool mayGoOn{};           ///< they may come whether or not anything has changed
-  std::set<int> ran{};             ///< routines
-  /// Where one event alone can come: it did in the pass before. To come in the second only is to come in the first.
-  std::optional<Graph::Bool> cameBefore{};
-};
 
 Node ScanEncoding::state(std::string name, int width) {
   const Node node = graph.variable(std::move(name), width, true);
@@ -306,6 +292,7 @@ void ScanEncoding::interrupts(Runner& runner, std::uint32_t instruction) {
         .leftOut = graph.constant(true).node;
     return;
   }
+  noteEntry(round, any);
   if (!effects_->isOnePassEnough()) {
     for (const int event : round.events) {
       for (const int routine : attachments_.at(event)) {
@@ -384,6 +371,7 @@ void ScanEncoding::runRoutines(Runner& runner, Round& round, int event, Graph::B
     runner.interrupt(number, runs);
     isRecording_ = false;
     routine_ = -1;
+    tellKept(round);
     for (const auto& [place, value] : old) {
       const Graph::Bool same = graph.equal({store_.value(place)}, {value}, place.width);
       round.hasChanged = graph.lor(round.hasChanged, graph.lnot(same));
@@ -503,8 +491,12 @@ void ScanEncoding::moreRuns(Runner& runner, Round& round) {
     return place.isRegister && (place.reg == Reg::InterruptsEnabled || place.reg == Reg::Eno);
   });
   std::map<Place, RunBounds::Ends> ends;
-  for (const auto& [place, before] : places)
-    ends.emplace(place, RunBounds::Ends{before, anyOf("after more " + nameOf(place), place.width)});
+  for (const auto& [place, before] : places) {
+    const auto entry = effects_->entry().find(place);
+    const int width = entry == effects_->entry().end() ? place.width : bitsFor(entry->second, place.width);
+    const Node after = graph.make(Op::Zext, place.width, anyOf("after more " + nameOf(place), width));
+    ends.emplace(place, RunBounds::Ends{before, after});
+  }
   std::vector<Graph::Bool> changing;
   RunBounds::Change change{[&](const Place& other) {
     const auto found = ends.find(other);
@@ -528,6 +520,7 @@ void ScanEncoding::moreRuns(Runner& runner, Round& round) {
         store_.save(place.area, place.at, place.width, {fresh}, machine_.guard);
     });
   }
+  tellKept(round);
   for (auto& [input, last] : eventStates_.lastEdge) become(last, here(more), graph.constantNode(0, 2));
   for (auto& [timer, since] : eventStates_.sinceLast) {
     const int event = eventOfTimed(timer);
@@ -546,6 +539,7 @@ void ScanEncoding::moreRuns(Runner& runner, Round& round) {
       runner.interrupt(number, graph.land(again, {anyOf("one more interrupt", 1)}));
       isRecording_ = false;
       routine_ = -1;
+      tellKept(round);
     }
   }
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "analysis/encoding/pointer_targets.hpp"
 #include "analysis/encoding/scan_encoding.hpp"
 #include "ir/s7200/isa/comm.hpp"
 #include "ir/s7300/place.hpp"
@@ -27,8 +28,11 @@ bool mayReach(const Instruction* instruction, std::initializer_list<Area> areas)
 }  // namespace
 
 /// In the first scan, what cells start with; in all others, what they have become.
-ValueSet ScanEncoding::pointerValues(Node pointer, Node guard) {
-  if (later_.empty()) return ValueEvaluator(graph, known_).valuesOf(pointer, guard, pointerValueLimit);
+ValueSet ScanEncoding::pointerValues(Node pointer, Node guard, Evaluation evaluation) {
+  const auto valuesWith = [&](const VariableValues& known) {
+    return (ValueEvaluator(graph, known).*evaluation)(pointer, guard, pointerValueLimit);
+  };
+  if (later_.empty()) return valuesWith(known_);
   VariableValues known = known_;
   const auto setFirst = [&](std::uint64_t value) {
     for (const Cell& cell : cells()) {
@@ -37,41 +41,32 @@ ValueSet ScanEncoding::pointerValues(Node pointer, Node guard) {
     }
   };
   setFirst(1);
-  ValueSet values = ValueEvaluator(graph, known).valuesOf(pointer, guard, pointerValueLimit);
+  ValueSet values = valuesWith(known);
   for (const auto& [cell, after] : later_) known[cell] = after;
   setFirst(0);
-  values.join(ValueEvaluator(graph, known).valuesOf(pointer, guard, pointerValueLimit), pointerValueLimit);
+  values.join(valuesWith(known), pointerValueLimit);
   return values;
 }
 
-/// The same after what the guard decides has been chosen, where that is needed to list them.
-ValueSet ScanEncoding::listedOrBounded(Node pointer, Node guard) {
-  const auto valuesOf = [&](Node node, Node condition) {
-    return pointerValues(node, condition).listedIfFew(pointerValueLimit);
-  };
-  const ValueSet values = valuesOf(pointer, guard);
-  if (values.isListed()) return values;
-  const Assumed here = assuming(graph, pointer, guard);
-  return valuesOf(here.node, here.guard);
+ValueSet ScanEncoding::whereItLeads(Node pointer, Node guard) {
+  return listedOrBounded(graph, pointer, guard, pointerValueLimit, [this](Node node, Node condition) {
+    return pointerValues(node, condition, &ValueEvaluator::valuesByCase);
+  });
 }
 
 /// All values that the pointer can have here; nothing if they are too many.
 std::optional<std::vector<std::uint64_t>> ScanEncoding::targetsOf(Node pointer, Node guard) {
   const auto values = graph.listed([&]() -> std::optional<std::vector<std::uint64_t>> {
-    for (const Node n : variablesOf(graph, pointer)) {
+    for (const Node n : partsOf(graph, pointer)) {
       if (graph.variables()[graph[n].value].isState) pointerCells_.insert(n);
     }
     if (!knowledge_.followsPointers) return std::nullopt;
-    const ValueSet values = listedOrBounded(pointer, guard);
+    const ValueSet values = whereItLeads(pointer, guard);
     if (!values.isListed()) return std::nullopt;
     return values.values();
   });
   if (!values || !graph.isAsWritten()) return values;
-  Graph::Bool isIn = graph.constant(false);
-  const int width = graph[pointer].width;
-  for (const std::uint64_t value : *values)
-    isIn = graph.lor(isIn, graph.equal({pointer}, graph.literal(value, width), width));
-  tellList(isIn);
+  tellList(isAmong(graph, pointer, *values));
   return values;
 }
 
@@ -91,25 +86,7 @@ Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, 
     a.carriers.push_back(input("pointer is legal", 1));
     return {a.carriers.back()};
   }
-  Graph::Bool legal = graph.constant(true);
-  for (const std::uint64_t value : *values) {
-    const Graph::Bool isValue = graph.equal(pointer, graph.literal(value, 32), 32);
-    const auto address = static_cast<std::uint32_t>(value);
-    const bool isPlace = pointer::isLegal(machine.target, address, width);
-    if (isPlace) tell(address);
-    if (isPlace)
-      ref.targets.push_back({isValue, *pointer::areaOf(address), pointer::offsetOf(address)});
-    else
-      legal = graph.land(legal, graph.lnot(isValue));
-  }
-  if (ref.targets.empty()) return graph.constant(false);
-  if (values->size() == 1) {
-    ref.isPlace = true;
-    ref.area = ref.targets[0].area;
-    ref.offset = ref.targets[0].offset;
-    ref.targets.clear();
-  }
-  return legal;
+  return leadTo(graph, machine, pointer, width, *values, ref, tell);
 }
 
 std::optional<std::vector<std::uint64_t>> ScanEncoding::locations(Machine<Graph>& machine, Graph::Bits location) {
@@ -120,21 +97,12 @@ std::optional<std::vector<std::uint64_t>> ScanEncoding::locationsInBlock(Machine
                                                                          Width width) {
   const auto start = graph.listed([&]() -> std::optional<std::vector<std::uint64_t>> {
     if (!knowledge_.followsPointers) return std::nullopt;
-    const Graph::Facts facts = listedOrBounded(location.node, machine.guard.node).facts();
-    const std::optional<std::uint32_t> block = blockOfLocation(facts.ones, facts.zeros | facts.ones);
-    return block ? std::optional(std::vector{locationInBlock(*block, 0)}) : std::nullopt;
+    return startOfBlock(whereItLeads(location.node, machine.guard.node));
   });
   if (!start || start->empty()) return std::nullopt;
-  constexpr int addressBits = 24;
-  const auto block = static_cast<std::uint32_t>(start->front() >> addressBits & 0xFFFF);
-  const int w = graph[location.node].width, above = w - addressBits;
-  tellList(graph.equal(graph.extract(location, w - 1, addressBits), graph.literal(start->front() >> addressBits, above),
-                       above));
-  const std::uint32_t length = plan_.blocks->length(block), own = static_cast<std::uint32_t>(bytes(width));
-  const std::uint32_t step = width == Width::Bit ? 1 : 8, count = length < own ? 0 : (length - own + 1) * 8 / step;
-  if (count > pointerValueLimit) return std::nullopt;
-  std::vector<std::uint64_t> places;
-  for (std::uint32_t i = 0; i < count; ++i) places.push_back(locationInBlock(block, i * step));
+  Graph::Bool isInBlock{};
+  auto places = placesInBlock(graph, plan_, location, start->front(), width, pointerValueLimit, isInBlock);
+  tellList(isInBlock);
   return places;
 }
 

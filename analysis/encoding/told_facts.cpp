@@ -10,30 +10,6 @@ namespace rungproof {
 
 namespace {
 
-/// `value` is in the set; 1 if any is.
-Graph::Bool isIn(Graph& graph, Node value, const ValueSet& set) {
-  const int w = graph[value].width;
-  const Graph::Bits v{value};
-  if (set.isListed()) {
-    Graph::Bool result = graph.constant(false);
-    for (const std::uint64_t one : set.values()) result = graph.lor(result, graph.equal(v, graph.literal(one, w), w));
-    return result;
-  }
-  const Graph::Facts& facts = set.facts();
-  const std::uint64_t mask = Graph::maskOf(w), zeros = facts.zeros & mask, ones = facts.ones & mask;
-  Graph::Bool result = graph.constant(true);
-  if (facts.low > 0) result = graph.land(result, graph.ule(graph.literal(facts.low, w), v, w));
-  if (facts.high < mask) result = graph.land(result, graph.ule(v, graph.literal(facts.high, w), w));
-  const auto masked = [&](std::uint64_t bits, std::uint64_t expected) {
-    if (bits == 0) return;
-    const Graph::Bits part = graph.band(v, graph.literal(bits, w), w);
-    result = graph.land(result, graph.equal(part, graph.literal(expected, w), w));
-  };
-  masked(zeros, 0);
-  masked(ones, ones);
-  return result;
-}
-
 bool isFree(Graph& graph, Graph::Bool fact) {
   return graph[fact.node].op == Op::Constant && graph[fact.node].value == 1;
 }

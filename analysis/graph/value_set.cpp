@@ -55,6 +55,15 @@ bool ValueSet::contains(std::uint64_t value) const {
   return facts_.low <= value && value <= facts_.high && (value & facts_.zeros) == 0 && (~value & facts_.ones) == 0;
 }
 
+bool ValueSet::includes(const ValueSet& other) const {
+  const ValueSet listed = kind_ == Kind::List ? other.listedIfFew(values_.size()) : other;
+  if (listed.isListed())
+    return std::ranges::all_of(listed.values(), [&](std::uint64_t value) { return contains(value); });
+  const Graph::Facts &own = facts_, &its = other.facts_;
+  return kind_ == Kind::Range && own.low <= its.low && its.high <= own.high && (own.zeros & ~its.zeros) == 0 &&
+         (own.ones & ~its.ones) == 0;
+}
+
 bool ValueSet::join(const ValueSet& other, std::size_t limit) {
   if (other.isEmpty()) return false;
   if (isEmpty()) {
@@ -165,6 +174,29 @@ ValueSet ValueSet::combine(const NodeData& node, std::array<int, 2> childWidth, 
     return list(std::move(results), limit);
   }
   return within(Graph::combine(node.op, node.width, node.value, childWidth, facts));
+}
+
+Graph::Bool isIn(Graph& graph, Node value, const ValueSet& set) {
+  const int w = graph[value].width;
+  const Graph::Bits v{value};
+  if (set.isListed()) {
+    Graph::Bool result = graph.constant(false);
+    for (const std::uint64_t one : set.values()) result = graph.lor(result, graph.equal(v, graph.literal(one, w), w));
+    return result;
+  }
+  const Graph::Facts& facts = set.facts();
+  const std::uint64_t mask = Graph::maskOf(w), zeros = facts.zeros & mask, ones = facts.ones & mask;
+  Graph::Bool result = graph.constant(true);
+  if (facts.low > 0) result = graph.land(result, graph.ule(graph.literal(facts.low, w), v, w));
+  if (facts.high < mask) result = graph.land(result, graph.ule(v, graph.literal(facts.high, w), w));
+  const auto masked = [&](std::uint64_t bits, std::uint64_t expected) {
+    if (bits == 0) return;
+    const Graph::Bits part = graph.band(v, graph.literal(bits, w), w);
+    result = graph.land(result, graph.equal(part, graph.literal(expected, w), w));
+  };
+  masked(zeros, 0);
+  masked(ones, ones);
+  return result;
 }
 
 }  // namespace rungproof

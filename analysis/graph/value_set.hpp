@@ -24,6 +24,8 @@ class ValueSet {
   std::vector<std::uint64_t> values() const;
   const Graph::Facts& facts() const { return facts_; }
   bool contains(std::uint64_t value) const;
+  /// Whether each value of the other set is in it.
+  bool includes(const ValueSet& other) const;
 
   /// Adds the values of another set; more than `limit` are no longer listed. Gives whether anything was added.
   bool join(const ValueSet& other, std::size_t limit);
@@ -50,5 +52,8 @@ class ValueSet {
   std::vector<std::uint64_t> values_;           ///< List only
   Graph::Facts facts_{~0ULL, ~0ULL, ~0ULL, 0};  ///< of all values
 };
+
+/// That the value of a node is in the set; the constant 1 if any value is.
+Graph::Bool isIn(Graph& graph, Node value, const ValueSet& set);
 
 }  // namespace rungproof

@@ -184,7 +184,7 @@ TEST(ToldFacts, AMissingEffectOfARoutineIsRefused) {
   MemoryLayout layout(plan);
   layout.add(input.program, plan);
   for (const std::uint32_t byte : {20U, 21U}) {
-    const auto effects = std::make_shared<RoutineEffects>(plan, layout, std::set<int>{0, 1}, false);
+    const auto effects = std::make_shared<RoutineEffects>(plan, layout, RoutineEffects::Given{.routines = {0, 1}});
     effects->forget(memoryPlace(Area::V, byte, Width::Byte));
     expectRefused(input, {}, "effects of interrupt routines", effects);
   }
