@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t usualUs = 10000;
 
 /// Scans; a time where they are not of the usual length, so that timers come as far in other scans.
-TestWait waitOf(const Trace& trace, std::size_t begin, std::size_t end) {
+TestWait waitOf(const Trace& trace, std::size_t begin, std::size_t end, LongScan single) {
   const bool isLast = end == trace.rows.size();
   const std::uint64_t scans = (isLast ? trace.rows.back().scan + 1 : trace.rows[end].scan) - trace.rows[begin].scan;
   std::uint64_t us = 0;
@@ -23,13 +23,15 @@ TestWait waitOf(const Trace& trace, std::size_t begin, std::size_t end) {
     us += trace.rows[i].scanUs;
     isKnown = isKnown && trace.rows[i].scanUs != 0;
   }
-  if (scans > 1 && isKnown && us != scans * usualUs) return {1, us};
+  const bool mayBeTime = scans > 1 || (single == LongScan::Time && us > usualUs);
+  if (mayBeTime && isKnown && us != scans * usualUs) return {1, us};
   return {scans, 0};
 }
 
 }  // namespace
 
-TestTable recordedTable(const Program& program, const PropertySet& set, const Trace& trace, const std::string& name) {
+TestTable recordedTable(const Program& program, const PropertySet& set, const Trace& trace, const std::string& name,
+                        LongScan single) {
   const TestSignals signals = testSignalsOf(program, set);
   TestTable table;
   std::vector<std::size_t> inputs, outputs;  // columns of the trace
@@ -77,7 +79,7 @@ TestTable recordedTable(const Program& program, const PropertySet& set, const Tr
     if (trace.isByTime && !isLast)
       row.wait = {1, trace.rows[end].timeUs - trace.rows[begin].timeUs};
     else if (!trace.isByTime)
-      row.wait = waitOf(trace, begin, end);
+      row.wait = waitOf(trace, begin, end, single);
     test.rows.push_back(std::move(row));
     begin = end;
   }

@@ -3,6 +3,7 @@
 // tests/tables/test_command_test.cpp.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "analysis/property.hpp"
@@ -10,7 +11,11 @@
 
 namespace rungproof {
 
+/// A stretch of one scan that is longer than usual: one scan, or its time.
+enum class LongScan : std::uint8_t { Scan, Time };
+
 /// `name`: of the test. Columns of the trace that are no inputs and no outputs are passed over.
-TestTable recordedTable(const Program& program, const PropertySet& set, const Trace& trace, const std::string& name);
+TestTable recordedTable(const Program& program, const PropertySet& set, const Trace& trace, const std::string& name,
+                        LongScan single = LongScan::Scan);
 
 }  // namespace rungproof

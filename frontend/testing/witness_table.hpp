@@ -8,9 +8,9 @@
 
 namespace rungproof {
 
-/// The run as one test: its inputs are set, its outputs expected. `broken`: the property that its last scan violates;
-/// there an output is expected to be the other way round where that alone keeps the property, and otherwise those that
-/// the property reads are left to whoever mends it. nullptr: the run is right.
+/// The run as one test. `broken`: the property that its last scan violates; the inputs are set, and the last step
+/// expects what the property asks of outputs (asked_values.hpp), nothing else, as nobody knows what else a mended
+/// program does. nullptr: the run is right; its outputs are expected where the length of scans does not decide them.
 TestTable witnessTable(const Program& program, const PropertySet& set, const Choices& choices, const Witness& witness,
                        const std::string& name, const Property* broken);
 

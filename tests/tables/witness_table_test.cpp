@@ -49,5 +49,70 @@ TEST_F(WitnessTable, WaitsAsLongAsTheRun) {
   EXPECT_EQ(run({after, "--table", table}), 1) << out_ << contentOf(table);
 }
 
+/// The table of property `w` in the program, which is violated.
+class MendedTable : public TestCommand {
+ protected:
+  std::string tableOf(const std::string& program, const std::string& property) {
+    const std::string properties = write("p.prop", "prove w: " + property + "\n");
+    const ProgramRun proof =
+        test::run({"prove", program, "--props", properties, "--tables", path("tables"), "--isolated"});
+    EXPECT_EQ(proof.exit, 1) << proof.out << proof.err;
+    return path("tables/w.test.csv");
+  }
+  void expectExits(const std::string& faulty, const std::string& mended, const std::string& table) {
+    for (const char* scans : {"10ms", "1ms", "100ms", "10ms..322ms"}) {
+      EXPECT_EQ(run({faulty, "--table", table, "--scan-time", scans}), 1) << scans << out_ << contentOf(table);
+      EXPECT_EQ(run({mended, "--table", table, "--scan-time", scans}), 0) << scans << out_ << contentOf(table);
+    }
+  }
+};
+
+// The pump runs on for a scan when I0.0 goes off. When it has come, 3 s after I0.0 with whatever scans, is nobody's
+// business: the mended program starts it too.
+TEST_F(MendedTable, ExpectsNothingInFrontOfTheViolation) {
+  const std::string timer = "Network 2\nLD I0.0\nTON T37, 30\n";
+  const std::string faulty = write("faulty.awl", "Network 1\nLD T37\n= Q0.1\n" + timer);
+  const std::string mended = write("mended.awl", "Network 1\nLD T37\nA I0.0\n= Q0.1\n" + timer);
+  expectExits(faulty, mended, tableOf(faulty, "Q0.1 implies I0.0"));
+}
+
+// 3 s of I0.0 may be one long scan after another with other inputs between: their time counts, not their number.
+TEST_F(MendedTable, KeepsTheTimeOfLongScans) {
+  const std::string timer = "Network 1\nLD I0.0\nTON T37, 30\n";
+  const std::string faulty = write("faulty.awl", timer + "Network 2\nLD T37\n= Q0.1\n");
+  const std::string mended = write("mended.awl", timer + "Network 2\nLD T37\nA I0.1\n= Q0.1\n");
+  expectExits(faulty, mended, tableOf(faulty, "Q0.1 implies I0.1"));
+}
+
+// Without I0.0 both have to be off, whichever of them was on.
+TEST_F(MendedTable, ExpectsAllThatThePropertyAsks) {
+  const std::string faulty = write("faulty.awl", "Network 1\nLD I0.1\n= Q0.0\nNetwork 2\nLD I0.0\n= Q0.1\n");
+  const std::string other = write("other.awl", "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= Q0.1\n");
+  const std::string mended = write("mended.awl", "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.0\n= Q0.1\n");
+  const std::string table = tableOf(faulty, "(Q0.0 or Q0.1) implies I0.0");
+  expectExits(faulty, mended, table);
+  EXPECT_EQ(run({other, "--table", table}), 1) << out_ << contentOf(table);
+}
+
+// Programs that are right too: one makes Q0.0 true and false again in time, one never lets M0.0 come.
+TEST_F(MendedTable, LeavesOpenWhatMayBeMendedElsewhere) {
+  const std::string faulty = write("faulty.awl", "Network 1\nLD I0.0\n= M0.0\nNetwork 2\nLD I0.1\n= Q0.0\n");
+  for (const char* property : {"I0.0 leads to Q0.0 within 3 scans", "M0.0 implies Q0.0", "rises(M0.0) implies Q0.0"}) {
+    const std::string table = tableOf(faulty, property);
+    EXPECT_NE(contentOf(table).find("write what must be seen"), std::string::npos) << property << contentOf(table);
+    EXPECT_EQ(run({faulty, "--table", table}), 3) << property << contentOf(table);  // nothing is expected
+  }
+}
+
+// The lamp comes 3 s after I0.0. The run has scans of some length; its program passes the table with any.
+TEST_F(MendedTable, OfAGoalHoldsForItsProgram) {
+  const std::string program = write("lamp.awl", "Network 1\nLD I0.0\nTON T37, 30\nNetwork 2\nLD T37\n= Q0.1\n");
+  const std::string properties = write("p.prop", "reach w: Q0.1 and I0.1\n");
+  EXPECT_EQ(test::run({"prove", program, "--props", properties, "--tables", path("tables"), "--isolated"}).exit, 0);
+  const std::string table = path("tables/w.test.csv");
+  EXPECT_EQ(run({program, "--table", table}), 0) << out_ << contentOf(table);
+  EXPECT_NE(contentOf(table).find(",1,"), std::string::npos) << contentOf(table);
+}
+
 }  // namespace
 }  // namespace rungproof::test
