@@ -1,4 +1,8 @@
 // The RLO of an S7-300/400: first check, AND groups joined by O, nesting levels (002:2697-2714), as trees.
+#include <map>
+#include <optional>
+#include <utility>
+
 #include "engine/coverage/logic_reader.hpp"
 #include "engine/coverage/step_words.hpp"
 #include "ir/s7300/statement_detail.hpp"
@@ -139,17 +143,31 @@ class RloReader final : public LogicReader {
     return o.kind == OperandKind::Direct || isInBlock ? &o : nullptr;
   }
 
+  static bool isLocal(const Operand& operand) { return operand.kind == OperandKind::Direct && operand.area == Area::L; }
+
   void findStepWords() {
     for (const Pou& pou : program().pous) {
       words_.beginBlock(pou);
+      std::map<std::uint32_t, const Operand*> copies;  // of words in local memory, by offset: CASE of SCL compares them
       for (const Network& network : pou.networks) {
         const std::vector<Instruction>& list = network.instructions;
         for (std::size_t i = 0; i < list.size(); ++i) {
-          if (i >= 2 && comparesForEquality(list[i]) && namedBy(list[i - 2], StatementRole::Load) != nullptr &&
-              isConstantLoad(list[i - 1]))
-            words_.compares(list[i - 2].operands[0], list[i - 1].operands[0].value);
+          const Operand* const compared = i >= 2 && comparesForEquality(list[i]) && isConstantLoad(list[i - 1])
+                                              ? namedBy(list[i - 2], StatementRole::Load)
+                                              : nullptr;
+          if (compared != nullptr) {
+            const auto copy = isLocal(*compared) ? copies.find(compared->offset) : copies.end();
+            words_.compares(copy != copies.end() ? *copy->second : *compared, list[i - 1].operands[0].value);
+          }
           const Operand* const to = namedBy(list[i], StatementRole::Transfer);
           if (to == nullptr) continue;
+          if (isLocal(*to)) {
+            const Operand* const from = i >= 1 ? namedBy(list[i - 1], StatementRole::Load) : nullptr;
+            if (from != nullptr && !isLocal(*from))
+              copies[to->offset] = from;
+            else
+              copies.erase(to->offset);
+          }
           if (i >= 1 && isConstantLoad(list[i - 1]))
             words_.moves(*to, list[i - 1].operands[0].value);
           else

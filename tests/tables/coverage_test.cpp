@@ -193,6 +193,28 @@ TEST_F(Coverage, CountsMovesToStepWordsOfAnS7300) {
   }
 }
 
+// CASE compares a copy of its selector. The step is a variable of a function block, and lies in its instance.
+TEST_F(Coverage, CountsTransitionsOfCaseInScl) {
+  const auto block = [](const std::string& kind) {
+    return "FUNCTION_BLOCK FB10\nVAR_INPUT a, b : BOOL; END_VAR\nVAR\n  step : " + kind +
+           ";\nEND_VAR\nBEGIN\nCASE step OF\n0: IF a THEN step := 1; END_IF;\n1: IF b THEN step := 2; END_IF;\n"
+           "2: step := 0;\nEND_CASE;\nEND_FUNCTION_BLOCK\nDATA_BLOCK DB10 FB10\nBEGIN\nEND_DATA_BLOCK\n"
+           "ORGANIZATION_BLOCK OB1\nVAR_TEMP info : ARRAY[0..19] OF BYTE; END_VAR\nBEGIN\n"
+           "FB10.DB10(a := I0.0, b := I0.1);\nQ0.0 := I0.0;\nEND_ORGANIZATION_BLOCK\n";
+  };
+  const std::string one = write("one.csv", "test,set I0.0,set I0.1,expect Q0.0\nt,1,0,1\n");
+  const std::string all = write("all.csv", "test,wait,set I0.0,set I0.1,expect Q0.0\nt,3 scans,1,1,1\n");
+  for (const char* kind : {"INT", "DINT"}) {
+    const std::string program = write("c.scl", block(kind));
+    EXPECT_EQ(figures(of(program, one)["transitions"]), Figures(1, 3)) << kind;
+    EXPECT_EQ(figures(of(program, all)["transitions"]), Figures(3, 3)) << kind;
+  }
+  // What is computed is no step.
+  std::string text = block("INT");
+  text.replace(text.find("step := 2"), 9, "step := step + 1");
+  EXPECT_EQ(figures(of(write("d.scl", text), all)["transitions"]), Figures(0, 0));
+}
+
 // FN lets the fall of I0.0 through where its bit in the data block was 1: in scan 2 I0.0 = 1 decides that nothing
 // comes, in scan 3 I0.0 = 0 decides that the output comes.
 TEST_F(Coverage, ReadsTheMemoryOfAnEdgeInADataBlock) {
