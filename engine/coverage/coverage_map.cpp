@@ -67,8 +67,8 @@ void LogicReader::transition(StepTransition made) {
   map_.transitions_.push_back(std::move(made));
 }
 
-CoverageMap::CoverageMap(const Program& program)
-    : program_(program), plan_(program), sites_(program.instructionCount()) {
+CoverageMap::CoverageMap(const Program& program, const Choices& choices)
+    : program_(program), choices_(choices), plan_(program), sites_(program.instructionCount()) {
   const std::unique_ptr<LogicReader> reader = logicReader(*this);
   for (std::uint32_t p = 0; p < program.pous.size(); ++p) {
     const Pou& pou = program.pous[p];

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "engine/coverage/logic_expression.hpp"
+#include "ir/machine/choices.hpp"
 #include "ir/machine/plan.hpp"
 #include "ir/program.hpp"
 
@@ -56,10 +57,12 @@ struct StepTransition {
 
 class CoverageMap {
  public:
-  /// The program must outlive the map.
-  explicit CoverageMap(const Program& program);
+  /// The program must outlive the map. `choices`: where a statement hangs on the reading of an open point alone, only
+  /// the one of the reading in force counts.
+  explicit CoverageMap(const Program& program, const Choices& choices = {});
 
   const Program& program() const { return program_; }
+  const Choices& choices() const { return choices_; }
   const Plan& plan() const { return plan_; }
   const LogicTrees& trees() const { return trees_; }
   /// All leaves; contacts are those of kind Contact.
@@ -96,6 +99,7 @@ class CoverageMap {
   };
 
   const Program& program_;
+  const Choices choices_;
   Plan plan_;
   LogicTrees trees_;
   std::vector<CoverageLeaf> leaves_;

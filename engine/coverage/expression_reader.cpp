@@ -2,7 +2,9 @@
 // of a list, the selector of CASE) is followed through it.
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "engine/coverage/logic_reader.hpp"
 #include "engine/coverage/step_words.hpp"
@@ -29,9 +31,14 @@ class ExpressionReader final : public LogicReader {
     open_.clear();
     isChart_ = pou.name.find(".(transitions") != std::string::npos;
     constant_ = nullptr;
+    reading_ = std::nullopt;
+    isDead_ = isBehindJump_ = false;
+    targets_.clear();
+    passedOver_.clear();
   }
 
   void read(const Instruction& instruction, CoveragePlace place) override {
+    if (isDead(instruction)) return;
     const ExpressionRole role = expressionRole(instruction);
     const Instruction* const constant = std::exchange(constant_, nullptr);
     if (isChart_ && program().pous[place.pou].networks[place.network].span.length == 0) return pass(instruction);
@@ -106,6 +113,32 @@ class ExpressionReader final : public LogicReader {
     stack_.pop_back();
     return node;
   }
+
+  /// Statements for another reading of an open point than the one in force. Behind a reading alone a jump is taken
+  /// always or never: in the one case what it passes over is dead, in the other case what stands behind its label, up
+  /// to a label that something jumps to.
+  bool isDead(const Instruction& instruction) {
+    const bool isLabel = instruction.desc->control == Control::LabelMark;
+    const bool isJump = instruction.desc->control == Control::Jump;
+    const std::int64_t label = isLabel || isJump ? instruction.operands[0].value : 0;
+    if (isDead_ && !(isLabel && targets_.contains(label))) return true;
+    isDead_ = false;
+    const std::optional<bool> reading = std::exchange(reading_, std::nullopt);
+    const bool isReached = !std::exchange(isBehindJump_, false);
+    if (expressionRole(instruction) == ExpressionRole::Reading) {
+      reading_ = choices()[static_cast<Choice>(instruction.operands[0].value)] == instruction.operands[1].value;
+    } else if (isLabel) {
+      isDead_ = !isReached && passedOver_.contains(label) && !targets_.contains(label);
+    } else if (isJump && instruction.desc->stack.pops > 0 && reading == true) {
+      passedOver_.insert(label);
+    } else if (isJump) {
+      targets_.insert(label);
+      isBehindJump_ = instruction.desc->stack.pops == 0;
+      isDead_ = reading.has_value();
+    }
+    return false;
+  }
+
   static std::uint32_t bitOf(const Operand& operand) { return operand.offset * 8 + operand.bit; }
   bool isNamed(const Operand& operand) const { return named_.contains(bitOf(operand)); }
   std::string nameOf(const Operand& operand) const {
@@ -195,6 +228,10 @@ class ExpressionReader final : public LogicReader {
   std::set<std::int64_t> passed_, open_;  ///< labels of the block: those seen, and those that a condition jumps to
   bool isChart_ = false;
   const Instruction* constant_ = nullptr;
+  std::optional<bool> reading_{};  ///< whether the reading that was asked for just now is in force
+  bool isDead_ = false, isBehindJump_ = false;
+  std::set<std::int64_t> targets_;     ///< labels that something jumps to
+  std::set<std::int64_t> passedOver_;  ///< labels to which a jump never goes as its reading is in force
 };
 
 }  // namespace

@@ -18,6 +18,7 @@ class LogicReader {
  protected:
   LogicTrees& trees() { return map_.trees_; }
   const Program& program() const { return map_.program_; }
+  const Choices& choices() const { return map_.choices_; }
   /// A leaf of the instruction; a contact that is `negated` counts by its own bit.
   LogicNode leafOf(LeafKind kind, const Instruction& instruction, CoveragePlace place, bool isNegated = false);
   LogicNode hidden() {

@@ -52,7 +52,7 @@ class TestRun {
     if (!failures_.empty()) return failAll(context_, failures_);
 
     TestReport tests;
-    const CoverageMap map(program);
+    const CoverageMap map(program, context_.settings.choices());
     CoverageRecorder recorder(map);
     const bool measures = arguments_.coverage || !arguments_.stimuli.empty();
     TableRunOptions options = runOptions(program);

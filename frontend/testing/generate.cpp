@@ -2,6 +2,7 @@
 #include "frontend/testing/generate.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -42,10 +43,15 @@ std::string_view whatNeverComes(const CoverageGoal& goal) {
 void settle(MeasureResult& measure, MissingGoal& missing, const std::map<CoverageGoal, GoalAnswer>& answers,
             std::vector<FileToWrite>& proofs) {
   missing.state = MissingGoal::State::Open;
+  const std::string seen = missing.reason;
+  std::vector<std::string> reasons;  // each once, of however many goals
+  const auto add = [&](std::string reason) {
+    if (std::ranges::find(reasons, reason) == reasons.end()) reasons.push_back(std::move(reason));
+  };
   for (const CoverageGoal& goal : missing.open) {
     const auto answer = answers.find(goal);
     if (answer == answers.end()) {
-      missing.reason += "; not proved either";
+      add("not proved either");
       continue;
     }
     const GoalAnswer& found = answer->second;
@@ -63,11 +69,11 @@ void settle(MeasureResult& measure, MissingGoal& missing, const std::map<Coverag
       return;
     }
     if (found.outcome == Outcome::Reachable)
-      missing.reason +=
-          fmt::format("; the prover has a run, which no test of up to {} steps at the bench repeats", mostTestSteps);
+      add(fmt::format("the prover has a run, which no test of up to {} steps at the bench repeats", mostTestSteps));
     else
-      missing.reason += fmt::format("; open: {}", verdictText(found.outcome, 0));
+      add(fmt::format("open: {}", verdictText(found.outcome, 0)));
   }
+  missing.reason = fmt::format("{}; {}", seen, fmt::join(reasons, "; "));
 }
 
 /// Whether a run meets what a requirement speaks of: its premise, or a change of what it reads.

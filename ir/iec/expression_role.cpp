@@ -25,7 +25,7 @@ constexpr auto expressionRows = std::to_array<ExpressionRow>({
     {"LOAD", Load, {0, 1}},
     {"LOAD.BIT", LoadBit, {0, 1}},
     {"CONST", Constant, {0, 1}},
-    {"READING", Other, {0, 1}},
+    {"READING", Reading, {0, 1}},
     {"INDEX", Other, {1, 1}},
     {"LOAD.ELEMENT", Other, {1, 1}},
     {"NEG", Other, {1, 1}},

@@ -21,6 +21,7 @@ enum class ExpressionRole : std::uint8_t {
   Xor,
   Not,
   Select,   ///< one of two values
+  Reading,  ///< whether an open point is read in one way: the number of the choice and that of its value
   PassTime  ///< the ms of a scan go into a clock
 };
 

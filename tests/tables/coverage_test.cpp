@@ -215,6 +215,21 @@ TEST_F(Coverage, CountsTransitionsOfCaseInScl) {
   EXPECT_EQ(figures(of(write("d.scl", text), all)["transitions"]), Figures(0, 0));
 }
 
+// The drawing has ten contacts. Its blocks run in the order of their numbers or of their places.
+TEST_F(Coverage, CountsTheOrderOfADrawingThatIsInForce) {
+  const std::string program = RUNGPROOF_SOURCE_DIR "/corpus/iec/boiler.xml";
+  const std::string table = write("t.csv", "test,set Enable,expect Alarm\nt,1,x\n");
+  for (const char* order : {"execution-id", "position"}) {
+    const nlohmann::json c = json(
+        {program, "--table", table, "--coverage", "--choice", std::string("iec-fbd-order=") + order}, 3)["coverage"];
+    EXPECT_EQ(c["contacts"]["total"], 10) << order;
+    EXPECT_EQ(c["mcdc"]["total"], 10) << order;
+    EXPECT_EQ(c["networks"]["total"], 1) << order;
+    for (const nlohmann::json& goal : c["contacts"]["goals"])
+      EXPECT_NE(goal["reason"], "it was never executed") << order << goal.dump();
+  }
+}
+
 // FN lets the fall of I0.0 through where its bit in the data block was 1: in scan 2 I0.0 = 1 decides that nothing
 // comes, in scan 3 I0.0 = 0 decides that the output comes.
 TEST_F(Coverage, ReadsTheMemoryOfAnEdgeInADataBlock) {
