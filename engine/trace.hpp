@@ -51,12 +51,13 @@ struct TraceRow {
 struct Trace {
   std::vector<TraceSignal> signals;
   std::vector<TraceRow> rows;
-  bool isByTime = false;         ///< rows are keyed by time, not by scan
-  bool hasTimes = true;          ///< TraceRow::timeUs is known
-  bool hasTwoSides = false;      ///< of two programs
-  bool hasDevices = false;       ///< devices did what TraceRow::devices says, and nothing else
-  bool isWhole = false;          ///< TraceRow::given and startValues are known: a stimulus that repeats the run exactly
-  std::string startValues{};     ///< isWhole: what memory and registers hold at the start beside what power-up leaves
+  bool isByTime = false;      ///< rows are keyed by time, not by scan
+  bool isSampled = false;     ///< isByTime: of a logger; what it saw at a time holds from then on, until the next row
+  bool hasTimes = true;       ///< TraceRow::timeUs is known
+  bool hasTwoSides = false;   ///< of two programs
+  bool hasDevices = false;    ///< devices did what TraceRow::devices says, and nothing else
+  bool isWhole = false;       ///< TraceRow::given and startValues are known: a stimulus that repeats the run exactly
+  std::string startValues{};  ///< isWhole: what memory and registers hold at the start beside what power-up leaves
   std::string newStartValues{};  ///< isWhole, hasTwoSides: of the second program
   /// Columns of the first row that only a stimulus needs: where clocks start ("CLOCK.tick", ms).
   std::vector<std::pair<std::string, std::uint64_t>> start{};

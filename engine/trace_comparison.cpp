@@ -68,7 +68,8 @@ std::vector<std::string> missingSignals(const Trace& expected, const Trace& actu
   return missing;
 }
 
-std::optional<std::size_t> matchingRow(const Trace& expected, const TraceRow& row, const Trace& actual) {
+std::optional<std::size_t> matchingRow(const Trace& expected, std::size_t expectedRow, const Trace& actual) {
+  const TraceRow& row = expected.rows[expectedRow];
   const std::vector<TraceRow>& rows = actual.rows;
   if (rows.empty()) return std::nullopt;
   if (!expected.isByTime && !actual.isByTime) {
@@ -77,30 +78,22 @@ std::optional<std::size_t> matchingRow(const Trace& expected, const TraceRow& ro
     if (found == rows.end() || found->scan != row.scan) return std::nullopt;
     return static_cast<std::size_t>(found - rows.begin());
   }
-  if (!expected.isByTime) return std::nullopt;
   if (actual.isByTime) {  // the value holds until the next row
-    const auto later = std::upper_bound(rows.begin(), rows.end(), row.timeUs,
-                                        [](std::uint64_t time, const TraceRow& r) { return time < r.timeUs; });
-    if (later == rows.begin() || (later == rows.end() && rows.back().timeUs < row.timeUs)) return std::nullopt;
+    if (!expected.hasTimes) return std::nullopt;
+    const bool isAtStart = !expected.isByTime && actual.isSampled;
+    const std::uint64_t time = isAtStart ? startOf(expected, expectedRow) : row.timeUs;
+    const auto later = std::ranges::upper_bound(rows, time, {}, &TraceRow::timeUs);
+    if (later == rows.begin() || (later == rows.end() && rows.back().timeUs < time)) return std::nullopt;
     return static_cast<std::size_t>(later - rows.begin()) - 1;
   }
-  const auto found = std::upper_bound(rows.begin(), rows.end(), row.timeUs,
-                                      [](std::uint64_t time, const TraceRow& r) { return time < r.timeUs; });
-  if (found != rows.end()) {
-    const auto index = static_cast<std::size_t>(found - rows.begin());
-    return startOf(actual, index) <= row.timeUs ? std::optional<std::size_t>(index) : std::nullopt;
-  }
-  if (rows.back().timeUs == row.timeUs) return rows.size() - 1;
-  return std::nullopt;
-}
-
-Trace keyedByTime(Trace expected) {
-  if (expected.isByTime) return expected;
-  std::vector<std::uint64_t> starts;
-  for (std::size_t i = 0; i < expected.rows.size(); ++i) starts.push_back(startOf(expected, i));
-  for (std::size_t i = 0; i < starts.size(); ++i) expected.rows[i].timeUs = starts[i];
-  expected.isByTime = true;
-  return expected;
+  const auto found = expected.isSampled ? std::ranges::upper_bound(rows, row.timeUs, {}, &TraceRow::timeUs)
+                                        : std::ranges::lower_bound(rows, row.timeUs, {}, &TraceRow::timeUs);
+  if (found == rows.end())
+    return expected.isSampled && rows.back().timeUs == row.timeUs ? std::optional(rows.size() - 1) : std::nullopt;
+  const auto index = static_cast<std::size_t>(found - rows.begin());
+  const std::uint64_t start = startOf(actual, index);
+  const bool isAtStart = start == row.timeUs && (expected.isSampled || start == 0);
+  return start < row.timeUs || isAtStart ? std::optional(index) : std::nullopt;
 }
 
 std::optional<TraceDifference> firstDifference(const Trace& expected, const Trace& actual,
@@ -131,7 +124,7 @@ std::vector<TraceDifference> differences(const Trace& expected, const Trace& act
   }
   for (std::size_t e = 0; e < expected.rows.size(); ++e) {
     const TraceRow& row = expected.rows[e];
-    const std::optional<std::size_t> match = matchingRow(expected, row, actual);
+    const std::optional<std::size_t> match = matchingRow(expected, e, actual);
     for (const Pair& pair : pairs) {
       const std::optional<TraceNumber> wanted = row.values[pair.expected];
       if (!wanted) continue;

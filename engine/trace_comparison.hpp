@@ -53,13 +53,10 @@ class SignalIndex {
 /// Signals of the expected trace that the actual one lacks.
 std::vector<std::string> missingSignals(const Trace& expected, const Trace& actual);
 
-/// The expected trace keyed by time, where it counts scans and knows when they were: a row stands where its scan
-/// begins.
-Trace keyedByTime(Trace expected);
-
-/// The row of `actual` that belongs to a row of `expected`: the same scan, or the scan in which the time falls, its
-/// end excluded (a time equal to the end of the run belongs to the last scan). Nothing: beyond the end.
-std::optional<std::size_t> matchingRow(const Trace& expected, const TraceRow& row, const Trace& actual);
+/// The row of `actual` that belongs to a row of `expected`: the same scan, or the scan in which the time falls. A scan
+/// bears the time of its end, which is its own, and that of its beginning is the end of the scan before (at 0 the first
+/// one begins). What a logger saw at the beginning of a scan belongs to that scan. Nothing: beyond the end.
+std::optional<std::size_t> matchingRow(const Trace& expected, std::size_t expectedRow, const Trace& actual);
 
 /// Expected values that the actual trace does not show, in the order of the expected rows, at most so many.
 std::vector<TraceDifference> differences(const Trace& expected, const Trace& actual, const CompareOptions& options,

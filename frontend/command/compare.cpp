@@ -48,11 +48,10 @@ Exit runCompare(const CompareArguments& arguments, Context& context) {
     if (auto failure = checkTraceName(name)) failures.push_back(*failure);
   }
   if (!failures.empty()) return failAll(context, failures);
-  Trace expected = readTrace(arguments.expected, *expectedText, failures, import, symbols);
+  const Trace expected = readTrace(arguments.expected, *expectedText, failures, import, symbols);
   const Trace actual = readTrace(arguments.actual, *actualText, failures, import, symbols);
   if (failures.empty()) checkRenames(import, arguments.expected + ", " + arguments.actual, failures);
   if (!failures.empty()) return failAll(context, failures);
-  if (!expected.isByTime && expected.hasTimes && actual.isByTime) expected = keyedByTime(std::move(expected));
   if (!expectsAnything(expected)) return context.fail(expectsNothing(arguments.expected));
 
   CompareOptions options;
@@ -67,7 +66,7 @@ Exit runCompare(const CompareArguments& arguments, Context& context) {
     failures.push_back(
         {"the actual trace has no column '" + name + "'", arguments.actual, "write both traces with the same signals"});
   }
-  if (expected.isByTime != actual.isByTime && !(expected.isByTime && actual.hasTimes)) {
+  if (expected.isByTime != actual.isByTime && !(expected.hasTimes && actual.hasTimes)) {
     failures.push_back({"one trace counts scans, the other tells times", arguments.actual,
                         "use 'scan' or 'time_ms' in both, or a trace with both columns"});
   }
@@ -113,7 +112,8 @@ extern constexpr Command compareCommand = {
         "Columns are the same if they mean the same address: E0.0 and I0.0, with --symbols also names. Files of\n"
         "loggers, oscilloscopes and simulators (CSV of any separator, VCD) are read too: --time-column and\n"
         "--time-unit say what the time is; dates count from the first row. A trace with both 'scan' and 'time_ms' is\n"
-        "compared by time with one that tells times only.\n"
+        "compared by time with one that tells times only. The time of a scan is that of its end: it is the scan's\n"
+        "own, and a time between two ends belongs to the scan that ends next.\n"
         "\n"
         "Examples:\n"
         "    rungproof compare expected.csv trace.csv\n"

@@ -87,14 +87,15 @@ struct Job {
 class RowsAtMoments {
  public:
   RowsAtMoments(const Trace& expected, std::size_t around, std::vector<TraceRow>& kept)
-      : moments_(expected.rows), around_(around), kept_(kept) {}
+      : moments_(expected.rows), isSampled_(expected.isSampled), around_(around), kept_(kept) {}
   ~RowsAtMoments() { keepWaiting(); }
   RowsAtMoments(const RowsAtMoments&) = delete;
   RowsAtMoments& operator=(const RowsAtMoments&) = delete;
 
   void add(TraceRow row) {
     bool isLookedAt = false;
-    for (; next_ < moments_.size() && moments_[next_].timeUs < row.timeUs; ++next_) isLookedAt = true;
+    const auto isPast = [&](std::uint64_t us) { return isSampled_ ? us < row.timeUs : us <= row.timeUs; };
+    for (; next_ < moments_.size() && isPast(moments_[next_].timeUs); ++next_) isLookedAt = true;
     if (isLookedAt) {
       keepWaiting();
       left_ = around_ + 1;
@@ -115,6 +116,7 @@ class RowsAtMoments {
   }
 
   const std::vector<TraceRow>& moments_;
+  const bool isSampled_;
   std::size_t around_, next_ = 0, left_ = 0;
   std::deque<TraceRow> waiting_;  ///< the last ones, in case that the next is looked at
   std::vector<TraceRow>& kept_;
@@ -241,13 +243,16 @@ class Preparation {
     if (isGiven) return;
     if (arguments_.stimulus.empty() && arguments_.expect.empty()) job.scans = scansByDefault;
     const auto reach = [&](bool isByTime, std::uint64_t scan, std::uint64_t timeUs) {
-      if (isByTime) job.durationUs = std::max(job.durationUs, timeUs + 1);
+      if (isByTime) job.durationUs = std::max(job.durationUs, timeUs);
       if (!isByTime) job.scans = std::max(job.scans, scan);
     };
-    if (!job.stimulus.rows.empty())
-      reach(job.stimulus.isByTime, job.stimulus.rows.back().scan, job.stimulus.rows.back().timeUs);
-    if (job.expected && !job.expected->rows.empty())
-      reach(job.expected->isByTime, job.expected->rows.back().scan, job.expected->rows.back().timeUs);
+    if (!job.stimulus.rows.empty())  // the scan that begins then
+      reach(job.stimulus.isByTime, job.stimulus.rows.back().scan, job.stimulus.rows.back().timeUs + 1);
+    if (job.expected && !job.expected->rows.empty()) {  // the scan that ends then; at 0 the first one begins
+      const TraceRow& last = job.expected->rows.back();
+      reach(job.expected->isByTime, last.scan,
+            job.expected->isSampled ? last.timeUs + 1 : std::max<std::uint64_t>(last.timeUs, 1));
+    }
   }
 
   const SimArguments& arguments_;
@@ -499,9 +504,10 @@ extern constexpr Command simCommand = {
         "three at once (then none but those and timed ones come in the whole run), column 'device' gives what\n"
         "ports and other devices write: VB101=83 SMB86=2, as far as a request of the program asked for it (then\n"
         "they do nothing else). Expected values are compared with the values at the end of the scan, or of the\n"
-        "scan in which the time falls. A written CSV trace is a stimulus as well. In a trace that 'rungproof equiv'\n"
-        "wrote, columns such as old.Q0.0, new.Q0.0 and new.event belong to one of the programs: --side says which one\n"
-        "this is.\n"
+        "scan in which the time falls: the one that ends then, or ends next (of a logger's file the one that begins\n"
+        "then). A stimulus at a time acts in the first scan that begins then or later. A written CSV trace is a\n"
+        "stimulus as well. In a trace that 'rungproof equiv' wrote, columns such as old.Q0.0, new.Q0.0 and new.event\n"
+        "belong to one of the programs: --side says which one this is.\n"
         "A witness of 'rungproof prove --traces' has the columns 'given' and 'start': all that the surroundings did\n"
         "and that no address tells, so that the run is repeated exactly ('rungproof guide', chapter on daily work).\n"
         "Then only columns of inputs set anything beside them.\n"

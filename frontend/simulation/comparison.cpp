@@ -51,13 +51,12 @@ Comparison comparisonOf(const Trace& expected, const Trace& actual, const std::o
     ComparedScan scan;
     scan.scan = static_cast<int>(actual.rows[a].scan);
     scan.timeMs = static_cast<double>(actual.rows[a].timeUs) / 1000;
-    const auto wanted = std::find_if(expected.rows.begin(), expected.rows.end(), [&](const TraceRow& row) {
-      return matchingRow(expected, row, actual) == std::optional<std::size_t>(a);
-    });
+    std::size_t wanted = 0;
+    while (wanted < expected.rows.size() && matchingRow(expected, wanted, actual) != std::optional(a)) ++wanted;
     for (const std::size_t i : columns) {
       const int other = index.indexOf(expected.signals[i]);
       const TraceSignal& signal = other < 0 ? expected.signals[i] : actual.signals[static_cast<std::size_t>(other)];
-      scan.expected.push_back(wanted == expected.rows.end() ? "" : cellText(wanted->values[i], signal));
+      scan.expected.push_back(wanted == expected.rows.size() ? "" : cellText(expected.rows[wanted].values[i], signal));
       scan.actual.push_back(other < 0 ? "" : cellText(actual.rows[a].values[static_cast<std::size_t>(other)], signal));
     }
     result.around.push_back(std::move(scan));

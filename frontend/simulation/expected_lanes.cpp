@@ -35,9 +35,10 @@ TraceBeside besideExpected(const Trace& expected, const Trace& actual, const Com
     lanes[column] = result.trace.signals.size();
     add(signal, static_cast<int>(lanes[column]) - 1);
     for (TraceRow& row : result.trace.rows) row.values.emplace_back();
-    for (const TraceRow& row : expected.rows) {
+    for (std::size_t row = 0; row < expected.rows.size(); ++row) {
       const std::optional<std::size_t> match = matchingRow(expected, row, actual);
-      if (match && row.values[column]) result.trace.rows[*match].values.back() = row.values[column];
+      const std::optional<TraceNumber>& value = expected.rows[row].values[column];
+      if (match && value) result.trace.rows[*match].values.back() = value;
     }
   }
   result.lanes.wrong.resize(result.trace.signals.size());

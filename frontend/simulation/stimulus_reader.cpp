@@ -391,6 +391,7 @@ Trace readTraceWith(const std::string& name, std::string_view text, std::vector<
   ScanClock clock;
   Trace trace;
   trace.isByTime = frame.isByTime;
+  trace.isSampled = frame.isByTime && reader.table().isRecording;
   trace.hasTimes = frame.isByTime || frame.isRecorded;
   for (const std::size_t i : frame.signals) {
     Failure failure;

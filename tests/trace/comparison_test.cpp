@@ -53,10 +53,28 @@ TEST(Comparison, SlackShiftsByScans) {
   EXPECT_EQ(compared("scan,B\n1,1\n", actual, options), "1 B 1 0");
 }
 
-// The scans begin at 0, 10, 20, 30 and 45 ms.
-TEST(Comparison, TimesFallIntoTheScanThatBeginsBeforeThem) {
-  EXPECT_EQ(compared("time_ms,A,B\n0,0,0\n10,1,0\n29.9,1,1\n30,0,1\n44,0,1\n45,0,0\n55,0,0\n", actual), "equal");
-  EXPECT_EQ(compared("time_ms,A\n9.999,1\n", actual), "1 A 1 0");
+// The scans end at 10, 20, 30, 45 and 55 ms, which are the times that a trace tells of them.
+TEST(Comparison, TimesFallIntoTheScanThatEndsWithThem) {
+  EXPECT_EQ(
+      compared("time_ms,A,B\n0,0,0\n10,0,0\n10.1,1,0\n20,1,0\n29.9,1,1\n30,1,1\n30.1,0,1\n45,0,1\n55,0,0\n", actual),
+      "equal");
+  EXPECT_EQ(compared("time_ms,A\n10,1\n", actual), "1 A 1 0");
+}
+
+// A logger saw at 10, 30 and 45 ms what the scans that begin there leave, and at 55 ms what the last one has left.
+TEST(Comparison, TimesOfALoggerFallIntoTheScanThatBeginsWithThem) {
+  const std::string logger = "Time [ms],A,B\n0,0,0\n10,1,0\n29.9,1,1\n30,0,1\n44,0,1\n45,0,0\n55,0,0\n";
+  EXPECT_EQ(compared(logger, actual), "equal");
+  EXPECT_EQ(compared("scan,time_ms,scan_ms,A\n1,10,10,0\n2,20,10,1\n3,30,10,1\n4,45,15,0\n", logger), "equal");
+}
+
+// The same run told by its scans, by its times, and by both.
+TEST(Comparison, ATraceEqualsItsTimes) {
+  const std::string both = "scan,time_ms,A\n1,10,0\n2,20,1\n3,30,1\n4,45,0\n5,55,0\n";
+  const std::string times = "time_ms,A\n10,0\n20,1\n30,1\n45,0\n55,0\n";
+  for (const std::string& expected : {both, times}) {
+    for (const std::string& seen : {both, times}) EXPECT_EQ(compared(expected, seen), "equal") << expected << seen;
+  }
 }
 
 TEST(Comparison, RowsBeyondTheEndDiffer) {

@@ -329,5 +329,41 @@ TEST_F(SimCommand, ARunThatCannotEndLeavesTheOldTrace) {
   EXPECT_NE(err_.find("has been read as input"), std::string::npos) << err_;
 }
 
+// A trace whose scans are told by their times alone: `sim` and `compare` find the run in it, `test --record` a table
+// that the program passes. T37 runs for 50 ms and more.
+TEST_F(SimCommand, ATraceByTimeIsTheSameRun) {
+  write("late.awl", "Network 1\nLD I0.0\nTON T37, 1\nNetwork 2\nLD T37\n= Q0.0\n");
+  write("press.csv", "scan,I0.0\n1,0\n3,1\n30,0\n33,0\n");
+  for (const std::string scans : {"7ms..12ms", "10ms"}) {
+    ASSERT_EQ(run({"sim", path("late.awl"), "--stimulus", path("press.csv"), "--scan-time", scans, "--trace",
+                   path("run.csv"), "--signals", "I0.0,Q0.0"}),
+              0)
+        << err_;
+    std::istringstream lines(content("run.csv"));
+    std::string line, outputs, all;
+    std::getline(lines, line);
+    ASSERT_EQ(line, "scan,time_ms,scan_ms,I0.0,Q0.0");
+    while (std::getline(lines, line)) {
+      std::vector<std::string> cells;
+      std::istringstream row(line);
+      for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+      ASSERT_EQ(cells.size(), 5U);
+      outputs += cells[1] + "," + cells[4] + "\n";
+      all += cells[1] + "," + cells[3] + "," + cells[4] + "\n";
+    }
+    write("cut.csv", "time_ms,Q0.0\n" + outputs);
+    write("all.csv", "time_ms,I0.0,Q0.0\n" + all);
+    EXPECT_EQ(run({"sim", path("late.awl"), "--stimulus", path("press.csv"), "--scan-time", scans, "--expect",
+                   path("cut.csv")}),
+              0)
+        << out_ << err_;
+    EXPECT_EQ(run({"compare", path("cut.csv"), path("run.csv")}), 0) << out_;
+    EXPECT_EQ(run({"compare", path("run.csv"), path("all.csv")}), 0) << out_ << err_;
+    EXPECT_EQ(run({"compare", path("cut.csv"), path("cut.csv")}), 0) << out_;
+  }
+  ASSERT_EQ(run({"test", path("late.awl"), "--record", path("all.csv"), "-o", path("table.csv")}), 0) << err_;
+  EXPECT_EQ(run({"test", path("late.awl"), "--table", path("table.csv")}), 0) << out_ << content("table.csv");
+}
+
 }  // namespace
 }  // namespace rungproof
