@@ -19,7 +19,27 @@ constexpr std::uint64_t scansBetweenLooks = 4096;
 struct Border {
   int late = 0;  ///< scans by which the inputs of the step act late
   Concrete::Store state;
+  Simulator::Moment moment;
 };
+
+/// RUN begins with a tick of the 1 ms clock.
+Simulator::Moment momentOf(const Simulator& simulator) {
+  const std::uint64_t us = simulator.timeUs();
+  return {simulator.scanCount(), us, us / msUs, static_cast<std::uint32_t>(us % msUs * 100)};
+}
+
+/// Events wait at the end of a scan only where the program has locked them out: a tick of the clock serves all others.
+bool mayHoldEvents(const Concrete::Store& state) {
+  if (state.get(Reg::InterruptsEnabled, 0) != 0) return false;
+  for (std::uint32_t event = 0; event < state.count(Reg::EventRoutine); ++event) {
+    if (state.get(Reg::EventRoutine, event) != 0) return true;
+  }
+  return false;
+}
+
+bool setsSomething(const TestRow& row) {
+  return std::ranges::any_of(row.sets, [](const auto& cell) { return cell.has_value(); });
+}
 
 std::uint64_t scansOf(const TestWait& wait, std::uint32_t us) {
   return std::max<std::uint64_t>(wait.isTime() ? (wait.timeUs + us - 1) / us : wait.scans, 1);
@@ -31,7 +51,7 @@ RobustCheck::RobustCheck(const Program& program, TestTable columns, const Robust
     : program_(program),
       columns_(std::move(columns)),
       options_(options),
-      replays_(hasEventsOrDevices(program)),
+      replays_(hasDevices(program)),
       random_(options.seed) {}
 
 void RobustCheck::compare(const TestRow& row, const Concrete::Store& state, std::set<std::size_t>& failing) const {
@@ -41,20 +61,17 @@ void RobustCheck::compare(const TestRow& row, const Concrete::Store& state, std:
   }
 }
 
-/// False: there are too many states, the CPU has stopped, or it takes too long.
+/// False: there are too many states, an interrupt waits, the CPU has stopped, or it takes too long.
 bool RobustCheck::enumerate(const TestCase& test, std::uint32_t us, RobustCells& cells) {
   Simulator simulator(program_, options_.engine);
-  const auto goTo = [&](const Concrete::Store& state, std::uint64_t scan) {
-    const std::uint64_t time = scan * us;
-    simulator.goOnFrom(state, {scan, time, time / msUs, static_cast<std::uint32_t>(time % msUs * 100)});
-  };
   bool isWhole = true;
   const Clock::time_point latest = Clock::now() + longestOfLength;
   std::uint64_t scansMade = 0;
   std::vector<Border> level;
   for (int late = 0; late <= mostSkew; ++late) {
     if (late > 0) simulator.scan({.lengthUs = us});
-    level.push_back({late, simulator.store()});
+    if (mayHoldEvents(simulator.store())) return false;
+    level.push_back({late, simulator.store(), momentOf(simulator)});
   }
   std::uint64_t start = 1;  // scan from which the step lasts
   for (std::size_t i = 0; i < test.rows.size(); ++i) {
@@ -64,7 +81,7 @@ bool RobustCheck::enumerate(const TestCase& test, std::uint32_t us, RobustCells&
     std::vector<Border> after;
     for (const Border& border : level) {
       const std::uint64_t acts = start + static_cast<std::uint64_t>(border.late + mostSkew) - mostSkew;
-      goTo(border.state, acts - 1);
+      simulator.goOnFrom(border.state, border.moment);
       applyRow(simulator, columns_, row);
       const std::uint64_t own = std::max(next - 1, acts);  // the scan at whose end the row is compared
       const std::uint64_t last = isLast ? own : next - 1 + mostSkew;
@@ -81,13 +98,15 @@ bool RobustCheck::enumerate(const TestCase& test, std::uint32_t us, RobustCells&
         // With inputs that act early, the row is compared in front of them.
         if (scan == own || (isBorder && scan < own)) compare(row, simulator.store(), failing);
         if (!isBorder) continue;
-        const bool isKnown =
-            std::ranges::any_of(after, [&](const Border& b) { return b.late == late && b.state == simulator.store(); });
+        if (mayHoldEvents(simulator.store())) return false;
+        const bool isKnown = std::ranges::any_of(after, [&](const Border& b) {
+          return b.late == late && b.moment.timeUs == simulator.timeUs() && b.state == simulator.store();
+        });
         if (isKnown) continue;
         if (after.size() == mostStates)
           isWhole = false;
         else
-          after.push_back({static_cast<int>(late), simulator.store()});
+          after.push_back({static_cast<int>(late), simulator.store(), momentOf(simulator)});
       }
       cells.failing[i].insert(failing.begin(), failing.end());
     }
@@ -116,15 +135,30 @@ void RobustCheck::play(const TestCase& test, ScanLength length, std::vector<int>
   }
 }
 
-/// Skews where they cannot be enumerated: none, all early, all late, in turns, drawn.
+/// Skews where they cannot be enumerated: none, all early, all late, and in turns by the rows that set something.
 void RobustCheck::playSkews(const TestCase& test, std::uint32_t us, RobustCells& cells) {
   const ScanLength length = [us](std::uint64_t) { return us; };
   const std::size_t count = test.rows.size();
   for (const auto& [even, odd] : {std::pair(0, 0), std::pair(-mostSkew, -mostSkew), std::pair(mostSkew, mostSkew),
                                   std::pair(mostSkew, -mostSkew), std::pair(-mostSkew, mostSkew)}) {
     std::vector<int> skews;
-    for (std::size_t i = 0; i < count; ++i) skews.push_back(i % 2 == 0 ? even : odd);
+    for (std::size_t i = 0, turn = 0; i < count; ++i)
+      skews.push_back((setsSomething(test.rows[i]) ? turn++ : turn) % 2 == 0 ? even : odd);
     play(test, length, std::move(skews), cells);
+  }
+}
+
+/// The longest and the shortest way from one input to the next: early up to a row and late behind it, and the reverse.
+void RobustCheck::playTurns(const TestCase& test, std::uint32_t us, RobustCells& cells, Clock::time_point end) {
+  const ScanLength length = [us](std::uint64_t) { return us; };
+  for (std::size_t turn = 1; turn < test.rows.size(); ++turn) {
+    if (!setsSomething(test.rows[turn]) && turn + 1 < test.rows.size()) continue;
+    for (const int first : {-mostSkew, mostSkew}) {
+      if (Clock::now() > end) return;
+      std::vector<int> skews(test.rows.size(), -first);
+      std::fill_n(skews.begin(), turn, first);
+      play(test, length, std::move(skews), cells);
+    }
   }
 }
 
@@ -159,6 +193,13 @@ RobustCells RobustCheck::full(const TestCase& test, Clock::time_point end) {
   std::size_t tried = 0;
   for (const std::uint32_t us : lengths) {
     if (tried++ < alwaysTried || Clock::now() < end) tryLength(test, us, cells, ofFractions);
+  }
+  if (replays_) {
+    for (const std::uint32_t us : {options_.highUs, options_.lowUs, 90000U, 88000U}) {
+      if (us < options_.lowUs || us > options_.highUs) continue;
+      tryLength(test, us, cells, ofFractions);
+      playTurns(test, us, cells, end);
+    }
   }
   const auto drawn = [&] {
     std::vector<int> skews;

@@ -5,7 +5,8 @@
 // equal at the same scan go on as one, so that the work stays a few plays of the test. With every whole millisecond of
 // the range this is a proof for scans of equal length and time bases that begin with power-on; fractions, lengths that
 // change from scan to scan and other phases are tried.
-// A program with interrupts or devices cannot go on from a kept state: there everything is tried and nothing proved.
+// Nothing goes on from a state in which an interrupt waits, and a program with devices goes on from none: there all
+// inputs early, all late, and the turns between are tried, and nothing is proved.
 // Covered by tests/tables/robust_check_test.cpp.
 #pragma once
 
@@ -42,6 +43,8 @@ class RobustCheck {
   RobustCells quick(const TestCase& test);
   /// At every whole millisecond as long as there is time, at fractions, and at lengths that change.
   RobustCells full(const TestCase& test, Clock::time_point end);
+  /// Values can be tried only.
+  bool onlyTries() const { return replays_; }
   /// Runs from power-on so far, or what stands for one.
   std::size_t runs() const { return runs_; }
 
@@ -50,6 +53,7 @@ class RobustCheck {
   void play(const TestCase& test, ScanLength length, std::vector<int> skews, RobustCells& cells,
             std::uint32_t phaseMs = 0);
   void playSkews(const TestCase& test, std::uint32_t us, RobustCells& cells);
+  void playTurns(const TestCase& test, std::uint32_t us, RobustCells& cells, Clock::time_point end);
   void tryLength(const TestCase& test, std::uint32_t us, RobustCells& cells, bool& isWhole);
   void compare(const TestRow& row, const Concrete::Store& state, std::set<std::size_t>& failing) const;
 

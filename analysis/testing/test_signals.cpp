@@ -152,20 +152,30 @@ bool dependsOnTime(const Program& program) {
   return false;
 }
 
+namespace {
+
+bool hasRole(const Program& program, Role first, Role last) {
+  return std::ranges::any_of(program.pous, [&](const Pou& pou) {
+    return std::ranges::any_of(pou.networks, [&](const Network& network) {
+      return std::ranges::any_of(network.instructions,
+                                 [&](const Instruction& i) { return roleOf(i) >= first && roleOf(i) <= last; });
+    });
+  });
+}
+
+}  // namespace
+
+bool hasDevices(const Program& program) {
+  return hasRole(program, Role::Hdef, Role::Rcv) || hasRole(program, Role::Todw, Role::Todw);
+}
+
 bool hasEventsOrDevices(const Program& program) {
   const Plan plan(program);
   // The timed events 10 and 11 of an S7-200 come only once ATCH has attached them.
   if (dialectOf(program.target).run.startsBlocks && !plan.timedEvents.empty()) return true;
-  for (const Pou& pou : program.pous) {
-    if (pou.kind == PouKind::Interrupt) return true;
-    for (const Network& network : pou.networks) {
-      for (const Instruction& i : network.instructions) {
-        const Role role = roleOf(i);
-        if ((role >= Role::Atch && role <= Role::Rcv) || role == Role::Todw) return true;
-      }
-    }
-  }
-  return false;
+  const bool hasRoutine =
+      std::ranges::any_of(program.pous, [](const Pou& pou) { return pou.kind == PouKind::Interrupt; });
+  return hasRoutine || hasRole(program, Role::Atch, Role::Disi) || hasDevices(program);
 }
 
 }  // namespace rungproof

@@ -26,7 +26,10 @@ TestSignals testSignalsOf(const Program& program, const PropertySet& set);
 
 /// Whether time decides something: timers, clocks, times of IEC 61131-3.
 bool dependsOnTime(const Program& program);
-/// Whether interrupts or devices have a part in runs, so that none can go on from a kept state.
+/// Whether devices have a part in runs (fast counters, pulses, ports, the network, the clock), so that none can go on
+/// from a kept state.
+bool hasDevices(const Program& program);
+/// The same, or interrupts.
 bool hasEventsOrDevices(const Program& program);
 
 }  // namespace rungproof

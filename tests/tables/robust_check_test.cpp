@@ -71,6 +71,57 @@ TEST(RobustCheck, EnumeratesWhatPlaysShow) {
   }
 }
 
+// A timed interrupt counts while I0.0 is on, an interrupt of an edge stores what was counted.
+constexpr const char* countingProgram =
+    "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nMOVB 50, SMB34\nATCH INT_0, 10\nATCH INT_1, 0\nENI\n"
+    "Network 2\nLDN I0.0\nMOVW 0, VW0\nNetwork 3\nLDW>= VW0, 20\n= Q0.0\nNetwork 4\nLDW>= VW2, 5\n= Q0.1\n"
+    "END_ORGANIZATION_BLOCK\nINTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD I0.0\nINCW VW0\n"
+    "END_INTERRUPT_BLOCK\nINTERRUPT_BLOCK INT_1:INT1\nBEGIN\nNetwork 1\nLD SM0.0\nMOVW VW0, VW2\n"
+    "END_INTERRUPT_BLOCK\n";
+
+TEST(RobustCheck, EnumeratesInterruptsAsPlaysShowThem) {
+  const Checked of(countingProgram);
+  const std::vector<std::vector<Step>> tests = {{{0, 0, {2, 0}}, {0, 1, {6, 0}}, {0, 1, {1, 300000}}, {0, 0, {2, 0}}},
+                                                {{0, 1, {1, 500000}}, {0, 0, {1, 0}}, {0, 1, {1, 100000}}}};
+  for (const std::vector<Step>& steps : tests) {
+    const TestCase test = of.test(steps);
+    for (const std::uint32_t us : {1999U, 10000U, 37000U, 90000U, 100000U}) {
+      RobustCheck check(of.program, of.rows.columns(), {{}, us, us, 1});
+      EXPECT_EQ(check.quick(test).failing, of.failingInPlays(test, us)) << us << " us, " << steps.size() << " steps";
+    }
+  }
+}
+
+// At 10 ms 60 and 300 ms make 7 ticks of 50 ms. With I0.0 two scans early it is on for 2 + 6 + 3 scans of 100 ms, from
+// 400 ms on, and for 2 + 6 + 4 scans of 90 ms, from 360 ms on. The program of the last one sees 20 ticks: those of 450
+// to 1400 ms, or of 400 to 1350 ms.
+TEST(RobustCheck, FindsWhatInterruptsCountWithEarlyInputs) {
+  const Checked of(countingProgram);
+  const TestCase test = of.test({{0, 0, {6, 0}}, {0, 1, {6, 0}}, {0, 1, {1, 300000}}, {0, 0, {6, 0}}});
+  ASSERT_EQ(test.rows[2].expects[0]->high, 0);
+  for (const std::uint32_t us : {90000U, 100000U}) {
+    RobustCheck check(of.program, of.rows.columns(), {{}, us, us, 1});
+    EXPECT_TRUE(check.quick(test).failing[2].contains(0)) << us;
+  }
+  RobustCheck check(of.program, of.rows.columns(), {{}, 1000, 100000, 1});
+  const RobustCells cells = check.full(test, RobustCheck::Clock::now() + std::chrono::seconds(20));
+  EXPECT_TRUE(cells.isProved);
+  EXPECT_TRUE(cells.failing[2].contains(0));
+}
+
+// Pulses of PLS run on by themselves: no state is kept, and the longest ways are tried.
+TEST(RobustCheck, TriesTheExtremesWithDevices) {
+  const std::string text(countingProgram);
+  const Checked of(text.substr(0, text.find("Network 4")) + "Network 4\nLD I0.1\nPLS 0\n" +
+                   text.substr(text.find("END_ORG")));
+  RobustCheck check(of.program, of.rows.columns(), {{}, 1000, 100000, 1});
+  EXPECT_TRUE(check.onlyTries());
+  const TestCase test = of.test({{0, 0, {6, 0}}, {0, 1, {6, 0}}, {0, 1, {1, 300000}}, {0, 0, {6, 0}}});
+  const RobustCells cells = check.full(test, RobustCheck::Clock::now() + std::chrono::seconds(5));
+  EXPECT_FALSE(cells.isProved);
+  EXPECT_TRUE(cells.failing[2].contains(0));
+}
+
 // After the start the motor runs whatever the skews; 300 ms later the lamp: 600 ms are enough at 1 to 20 ms and with
 // two scans of skew at either end. 301 ms are 31 scans of 10 ms, the last of which begins at 300 ms and sees the third
 // tick of T37, and 16 scans of 19 ms, the last of which begins at 285 ms and does not.
