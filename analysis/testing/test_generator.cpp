@@ -11,6 +11,7 @@
 #include "analysis/testing/bench_rows.hpp"
 #include "analysis/testing/fault_tests.hpp"
 #include "analysis/testing/robust_check.hpp"
+#include "analysis/testing/rounded_steps.hpp"
 #include "analysis/testing/test_plan.hpp"
 #include "engine/testing/test_player.hpp"
 
@@ -96,7 +97,7 @@ class Generator {
       std::erase_if(goals, [&](const CoverageGoal& goal) { return !asked_.insert(goal).second; });
       if (goals.empty() || !limitProofs(options)) break;
       for (auto& [goal, answer] : askGoals(map_, set_, goals, options)) {
-        if (answer.outcome == Outcome::Reachable && answer.witness) followRun(*answer.witness);
+        if (answer.outcome == Outcome::Reachable && answer.witness) followRun(goal, *answer.witness);
         answer.restriction = assumedText();
         result_.answers[goal] = std::move(answer);
       }
@@ -113,11 +114,17 @@ class Generator {
     return left > 0;
   }
 
-  void followRun(const Witness& witness) {
+  void followRun(const CoverageGoal& goal, const Witness& witness) {
     for (const std::uint64_t scans : {6U, 1U}) {
       for (const bool risesFirst : {true, false}) {
         const BenchTest steps = stepsOf(witness.scans, risesFirst, scans);
-        if (steps.size() <= mostTestSteps && search_.follow(steps)) return;
+        if (steps.size() > mostTestSteps) continue;
+        for (const BenchTest& easy : roundedSteps(steps, signals_)) {
+          search_.follow(easy);
+          const std::vector<CoverageGoal> open = openGoals(search_.recorder(), options_.measures);
+          if (std::ranges::find(open, goal) == open.end()) return;
+        }
+        if (search_.follow(steps)) return;
       }
     }
   }
@@ -199,7 +206,11 @@ class Generator {
         return std::ranges::find(open, goal) != open.end();
       };
       for (const std::int64_t moreMs : {0, 50, -50, 100, -100}) {
-        if (isStillOpen()) addIfUseful(runOf(answer.witness->scans, moreMs));
+        const BenchTest steps = runOf(answer.witness->scans, moreMs);
+        for (const BenchTest& easy : roundedSteps(steps, signals_)) {
+          if (isStillOpen()) addIfUseful(easy);
+        }
+        if (isStillOpen()) addIfUseful(steps);
       }
     }
   }
@@ -335,7 +346,11 @@ class Generator {
             for (BenchStep& step : steps) {
               if (step.wait.scans == 0 && !step.wait.isTime()) step.wait = {1, found.run->milliseconds * 1000};
             }
-            offer(steps, Looks::Often);
+            const auto isOpen = [&] { return i < faults.open().size() && faults.open()[i].get() == fault; };
+            for (const BenchTest& easy : roundedSteps(steps, signals_)) {
+              if (isOpen()) offer(easy, Looks::Often);
+            }
+            if (isOpen() && canBeSet(steps, signals_)) offer(steps, Looks::Often);
           }
         }
       }
@@ -397,11 +412,25 @@ class Generator {
           test.rows[row].note = "timing: the CPU stops where inputs come late or scans have another length";
           ++result_.timingRows;
         }
-        if (names.empty() || isTimed(test.rows[row])) continue;
-        test.rows[row].note =
-            fmt::format("{} not compared: when it changes depends on the length of scans", fmt::join(names, ", "));
-        ++result_.silentRows;
+        tellDigits(test.rows[row]);
+        if (isTimed(test.rows[row])) continue;
+        if (!names.empty()) {
+          addNote(test.rows[row], fmt::format("{} not compared: when it changes depends on the length of scans",
+                                              fmt::join(names, ", ")));
+          ++result_.silentRows;
+        }
       }
+    }
+  }
+
+  static void addNote(TestRow& row, const std::string& text) { row.note += (row.note.empty() ? "" : "; ") + text; }
+
+  /// A number that nobody can set is said to be one.
+  void tellDigits(TestRow& row) const {
+    for (std::size_t i = 0; i < row.sets.size(); ++i) {
+      const TraceSignal& signal = signals_.inputs[i].signal;
+      if (row.sets[i] && signal.isReal() && digitsOf(*row.sets[i], signal) > easyDigits)
+        addNote(row, fmt::format("{} counts with all its digits", signalText(signal)));
     }
   }
 

@@ -1,4 +1,5 @@
 // Generated tests: what they cover, that they hold at any scan time and with inputs early and late, what they write.
+#include <cmath>
 #include <filesystem>
 #include <random>
 
@@ -275,6 +276,27 @@ TEST_F(Generate, TellsScansFromTimesOnTheSheet) {
   EXPECT_NE(sheet.find("Retentive ones keep their values without power: clear them before each test."),
             std::string::npos)
       << sheet;
+}
+
+// Any value above 0 lets Temp > 0 be true; nobody sets 1e-45.
+TEST_F(Generate, SetsNumbersThatPeopleSet) {
+  const std::string program =
+      write("real.st",
+            "PROGRAM P\nVAR_INPUT Temp : REAL; END_VAR\nVAR_OUTPUT Q, R : BOOL; END_VAR\nQ := Temp > 0.0;\n"
+            "R := Temp * 3.0 > 50.0 AND Temp * 3.0 < 50.5;\nEND_PROGRAM\n");
+  expectAllSettled(generate(program, 0)["coverage"]);
+  std::vector<Failure> failures;
+  const TestTable table = readTestTable("tests.csv", content("out/tests.csv"), readProgram({program}), 0, failures);
+  ASSERT_TRUE(failures.empty()) << failures[0].message;
+  for (const TestCase& test : table.tests) {
+    for (const TestRow& row : test.rows) {
+      if (!row.sets[0]) continue;
+      const bool isEasy = std::abs(*row.sets[0] * 1000 - std::round(*row.sets[0] * 1000)) < 1e-3L;
+      EXPECT_TRUE(isEasy || row.note.find("Temp counts with all its digits") != std::string::npos)
+          << static_cast<double>(*row.sets[0]) << row.note;
+      EXPECT_FALSE(*row.sets[0] != 0 && std::abs(*row.sets[0]) < 1e-3L) << static_cast<double>(*row.sets[0]);
+    }
+  }
 }
 
 TEST_F(Generate, WritesNothingWhereItCannot) {
