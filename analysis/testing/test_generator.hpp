@@ -36,6 +36,7 @@ struct GeneratedTests {
   /// with the shown scans alone.
   std::size_t provedCells = 0, checkedCells = 0, timedCells = 0;
   std::size_t timingRows = 0;  ///< steps that say `timing`
+  std::size_t triedRows = 0;   ///< steps that say `timing` because nothing could be proved
   std::size_t silentRows = 0;  ///< steps at which some output is not compared, as it depends on the length of scans
 };
 

@@ -250,6 +250,11 @@ std::vector<std::string> basisOf(const GeneratedTests& made, const Program& prog
         "Steps with the remark 'timing': {}. What they name depends on the length of scans; {} such values are to be "
         "seen with the scans that the remark names.",
         made.timingRows, made.timedCells));
+  if (made.triedRows > 0)
+    lines.push_back(fmt::format(
+        "{} steps with the remark 'timing: tried' are not proved: devices of the CPU (fast counters, pulses, "
+        "ports, network, clock) have a part in their runs, and a run cannot go on from the middle.",
+        made.triedRows));
   return lines;
 }
 

@@ -278,6 +278,20 @@ TEST_F(Generate, TellsScansFromTimesOnTheSheet) {
       << sheet;
 }
 
+// What is compared in runs with a pulse output was tried only, and each step says why.
+TEST_F(Generate, MarksWhatDevicesKeepFromBeingProved) {
+  const std::string program = write("pls.awl", "Network 1\nLD I0.0\nPLS 0\nNetwork 2\nLD I0.1\n= Q0.1\n");
+  generate(program, 0, {"--goal", "contacts"});
+  std::vector<Failure> failures;
+  const TestTable table = readTestTable("tests.csv", content("out/tests.csv"), readProgram({program}), 0, failures);
+  ASSERT_TRUE(failures.empty()) << failures[0].message;
+  for (const TestCase& test : table.tests) {
+    for (const TestRow& row : test.rows)
+      EXPECT_TRUE(row.note.starts_with("timing: tried, not proved, as devices")) << row.note;
+  }
+  EXPECT_NE(content("out/sheet.md").find("steps with the remark 'timing: tried'"), std::string::npos);
+}
+
 // Any value above 0 lets Temp > 0 be true; nobody sets 1e-45.
 TEST_F(Generate, SetsNumbersThatPeopleSet) {
   const std::string program =
@@ -297,6 +311,16 @@ TEST_F(Generate, SetsNumbersThatPeopleSet) {
       EXPECT_FALSE(*row.sets[0] != 0 && std::abs(*row.sets[0]) < 1e-3L) << static_cast<double>(*row.sets[0]);
     }
   }
+}
+
+TEST_F(Generate, HoldsAtAnyScanTimeWithInterrupts) {
+  const std::string program =
+      write("count.awl",
+            "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nMOVB 50, SMB34\nATCH INT_0, 10\nENI\n"
+            "Network 2\nLDN I0.0\nMOVW 0, VW0\nNetwork 3\nLDW>= VW0, 20\n= Q0.0\nEND_ORGANIZATION_BLOCK\n"
+            "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD I0.0\nINCW VW0\nEND_INTERRUPT_BLOCK\n");
+  generate(program, 0);
+  replayAnywhere(program, content("out/tests.csv"), 3);
 }
 
 TEST_F(Generate, WritesNothingWhereItCannot) {
