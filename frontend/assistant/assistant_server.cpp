@@ -17,7 +17,8 @@ namespace {
 constexpr std::array<std::string_view, 2> protocolVersions = {"2025-06-18", "2024-11-05"};
 
 constexpr std::string_view instructions =
-    "Oracle for Siemens S7-200 programs. lint and check say what is wrong with a program; prove decides a property for "
+    "Oracle for PLC programs: Siemens S7-200, S7-200 SMART and S7-300/400 (STL, SCL, LAD, FBD), IEC 61131-3 (ST, IL, "
+    "SFC). lint and check say what is wrong with a program; prove decides a property for "
     "every run or shows a run that breaks it; sim runs it with a stimulus. UNKNOWN, HOLDS TO BOUND and NOT COVERED are "
     "no proofs. structuredContent.exit_code: 0 good, 1 findings or violations, 2 not done, 3 undecided.";
 

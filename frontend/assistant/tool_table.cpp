@@ -8,14 +8,16 @@ namespace rungproof {
 
 namespace {
 
-constexpr ToolParameter programText = {"program", ParameterKind::Text, ParameterUse::Program, "",
-                                       "the program as text: STL (AWL) export, PLCopen XML or SimaticML"};
+constexpr ToolParameter programText = {
+    "program", ParameterKind::Text, ParameterUse::Program, "",
+    "the program as text: STL (AWL) export, SCL, structured text, PLCopen XML or SimaticML"};
 constexpr ToolParameter programPath = {"path", ParameterKind::Text, ParameterUse::Path, "",
                                        "instead of 'program': a file, or the folder of a project"};
 constexpr ToolParameter symbolText = {"symbols", ParameterKind::Text, ParameterUse::HeldFile, "--symbols=symbols.csv",
                                       "symbol table as text: name,address,comment a line"};
-constexpr ToolParameter cpuOption = {"cpu", ParameterKind::Text, ParameterUse::Option, "--cpu",
-                                     "CPU: 221 222 224 224XP 226 226XM 212 214 CR20s ... ST60"};
+constexpr ToolParameter cpuOption = {
+    "cpu", ParameterKind::Text, ParameterUse::Option, "--cpu",
+    "CPU: 221 222 224 224XP 226 226XM 212 214, CR20s ... ST60, 319-3 and others of the S7-300/400"};
 constexpr ToolParameter scanTimeOption = {"scan_time", ParameterKind::Text, ParameterUse::Option, "--scan-time",
                                           "length of a scan: 10ms or 5ms..20ms"};
 
@@ -97,10 +99,11 @@ constexpr std::array xrefParameters = {programText, programPath, symbolText, cpu
                                                      "an address or a symbol; without it everything is listed"}};
 
 constexpr std::array<Tool, 8> tools = {{
-    {"lint", "Check a PLC program", "Findings of the static rules in an S7-200 program, with place, reason and help.",
-     "human", "json", lintParameters},
+    {"lint", "Check a PLC program",
+     "Findings of the static rules for the family of the program, with place, reason and help.", "human", "json",
+     lintParameters},
     {"check", "Would the editor take it?",
-     "Says of each network whether the S7-200 SMART editor takes it or leaves it out of the download.", "text", "json",
+     "Says of each network whether the editor of its controller takes it, or why not.", "text", "json",
      checkParameters},
     {"prove", "Prove properties",
      "Proves declared properties for every run, or shows the shortest run found that breaks one, repeated by the "
