@@ -48,6 +48,7 @@ class FlowWalk {
     std::map<std::uint32_t, Bool> sent{};   ///< guards on their way to a later instruction
     std::map<std::uint32_t, int> rounds{};  ///< rounds made by each backward branch
     std::set<std::uint32_t> beyond{};       ///< backward branches that have had all their rounds
+    std::optional<Bool> whole{};            ///< the guard before it was split into parts, of which none is lost
   };
 
   void walk(const Flow& flow) {
@@ -103,6 +104,7 @@ class FlowWalk {
       if (condition) w.next = target;
     } else {
       const std::uint32_t from = w.next;
+      if (w.sent.empty()) w.whole = m_.guard;
       const Bool taken = m_.d.land(m_.guard, condition);
       const Bool stays = m_.d.land(m_.guard, m_.d.lnot(condition));
       if (const auto known = m_.d.truth(taken); known && !*known) return;
@@ -118,6 +120,7 @@ class FlowWalk {
       }
       if ((++w.rounds[from] > loopLimit_ || steps_ > stepLimit_) && !goesOn(condition, w.beyond.insert(from).second)) {
         m_.guard = stays;
+        w.whole.reset();
         return;
       }
       send(w, from, stays);
@@ -133,12 +136,17 @@ class FlowWalk {
     m_.guard = m_.d.lor(m_.guard, found->second);
     w.sent.erase(found);
     --onTheirWay_;
+    if (w.sent.empty() && w.whole && joinsWhole()) m_.guard = m_.d.land(*w.whole, m_.d.lnot(m_.halted));
   }
   void send(Walk& w, std::uint32_t target, Bool guard) {
     const auto [place, isNew] = w.sent.emplace(target, guard);
     if (!isNew) place->second = m_.d.lor(place->second, guard);
     if (isNew) ++onTheirWay_;
   }
+
+  /// Whether all parts of a guard together are the guard again, without what has ended the program: shorter than the
+  /// parts, and the same. A subroutine of the other families may end its caller as well.
+  bool joinsWhole() const { return m_.plan.form() == StatementForm::Accumulators; }
 
   /// Whether a loop that has had its rounds goes into another one; `isFirst`: the first one beyond them.
   bool goesOn(Bool condition, bool isFirst) {

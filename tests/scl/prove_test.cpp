@@ -42,6 +42,27 @@ TEST(SclProof, LoopCountsBits) {
   EXPECT_TRUE(proof.has("VIOLATED  not3")) << proof.text;
 }
 
+// All ways through CASE and IF meet again in front of the loop: it runs whatever they were, four rounds and no more.
+TEST(SclProof, LoopBehindManyWays) {
+  const std::string program =
+      "FUNCTION_BLOCK FB 1\nVAR_INPUT\n go : BOOL; lim : INT := 3;\nEND_VAR\nVAR_OUTPUT\n cnt : INT;\nEND_VAR\n"
+      "VAR\n st : INT; mem : BOOL; sum : INT; arr : ARRAY[1..4] OF INT;\nEND_VAR\nVAR_TEMP\n i : INT;\nEND_VAR\nBEGIN\n"
+      "CASE st OF\n0: IF go AND NOT mem THEN st := 1; END_IF;\n"
+      "1: cnt := cnt + 1; IF cnt >= lim THEN st := 2; ELSE st := 0; END_IF;\nEND_CASE;\nmem := go;\nsum := 0;\n"
+      "FOR i := 1 TO 4 DO arr[i] := i; sum := sum + i; END_FOR;\nEND_FUNCTION_BLOCK\n"
+      "DATA_BLOCK DB 1\nFB 1\nBEGIN\nEND_DATA_BLOCK\n" +
+      mainOf("FB1.DB1(go := I4.0);");
+  const Output proof = proofOf(
+      "prove sum: DB1.sum == 10\nprove last: DB1.arr[4] == 4\nprove count: DB1.cnt <= 3\n"
+      "prove no: DB1.cnt <= 2\n",
+      program);
+  EXPECT_TRUE(proof.has("PROVED  sum")) << proof.text;
+  EXPECT_TRUE(proof.has("PROVED  last")) << proof.text;
+  EXPECT_TRUE(proof.has("PROVED  count")) << proof.text;
+  EXPECT_TRUE(proof.has("VIOLATED  no")) << proof.text;
+  EXPECT_FALSE(proof.has("later rounds")) << proof.text;
+}
+
 TEST(SclProof, IndexThatStaysInside) {
   const std::string table =
       "DATA_BLOCK DB 10\nSTRUCT\n speed : ARRAY[1..4] OF INT := 10, 20, 30, 40;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
