@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "frontend/step7/constant_parser.hpp"
 #include "frontend/step7/operand_parser.hpp"
 #include "frontend/step7/scl_lowering.hpp"
 #include "frontend/stl/syntax_sink.hpp"
@@ -267,6 +268,19 @@ std::optional<SclValue> SclLowering::blockCall(const iec::Expr& expr, bool isSta
   return returned;
 }
 
+/// SCL takes T#5s where a timer takes an S5TIME: what it would be as S5T#5s.
+SclValue SclLowering::s5TimeOfLiteral(SclValue time, Span span) {
+  const std::string_view given = reports_.program().sources->file(span.file).text(span);
+  const std::string text = fmt::format("S5T{}", given.substr(std::min(given.find('#'), given.size())));
+  Cursor cursor(text, span.file);
+  const ConstantOutcome outcome = readConstant(cursor, MnemonicSet::International, TextEncoding::Utf8);
+  if (!outcome.constant || !cursor.atEnd())
+    refuse(span, fmt::format("{} is no S5TIME: that is 0MS to 2H46M30S", written(span)), Syntax::SclType);
+  time.kind = Kind::S5Time;
+  time.operand = sclConstant(*outcome.constant, span);
+  return time;
+}
+
 /// S_ODT(T_NO := T1, S := .., TV := .., R := .., BI := .., Q := ..) and the others, as the boxes of these names.
 SclValue SclLowering::element(const iec::Expr& expr, const std::string& name, bool isStatement) {
   ++effects_;
@@ -308,7 +322,10 @@ SclValue SclLowering::element(const iec::Expr& expr, const std::string& name, bo
     const iec::Argument* given = argument(expr, preset);
     if (given == nullptr) refuse(start->span, fmt::format("{} needs {} beside S", name, preset), Syntax::CallList);
     // The preset first: it may need the RLO.
-    const SclValue wanted = valueAs(*given->value, row.isCounter ? Kind::Word : Kind::S5Time);
+    SclValue wanted = value(*given->value);
+    if (!row.isCounter && wanted.kind == Kind::Time && wanted.operand.form == OperandForm::Constant)
+      wanted = s5TimeOfLiteral(wanted, given->value->span);
+    wanted = as(wanted, row.isCounter ? Kind::Word : Kind::S5Time, given->value->span);
     const SclValue held = wanted.isPlain ? wanted : inTemporary(wanted);
     scanned("S");
     load(held);

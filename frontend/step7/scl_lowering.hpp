@@ -108,6 +108,7 @@ class SclLowering {
   };
   SclValue path(const iec::Expr& expr);
   Spot placeOf(const iec::Expr& expr);
+  std::optional<Spot> computedAddress(const iec::Expr& expr);
   Operand operandOf(const iec::Expr& expr, std::vector<std::pair<std::size_t, const iec::PathPart*>>& computed);
   std::optional<Operand> absolute(const iec::Expr& expr);
   bool isLocal(std::string_view name) const;
@@ -122,6 +123,7 @@ class SclLowering {
   SclValue call(const iec::Expr& expr, bool isStatement);
   std::optional<SclValue> blockCall(const iec::Expr& expr, bool isStatement);
   SclValue element(const iec::Expr& expr, const std::string& name, bool isStatement);
+  SclValue s5TimeOfLiteral(SclValue time, Span span);
   const iec::Argument* argument(const iec::Expr& expr, std::string_view name) const;
   void giveOut(const iec::Argument& argument, const SclValue& value);
 

@@ -176,7 +176,42 @@ Operand SclLowering::operandOf(const iec::Expr& expr,
   return operand;
 }
 
+/// MW[i], M[i, 3], PIW[i], DB10.DW[i], "Data".DX[i, j]: an address whose byte, and whose bit, are computed. Beyond the
+/// area the CPU itself finds the error.
+std::optional<SclLowering::Spot> SclLowering::computedAddress(const iec::Expr& expr) {
+  using PartKind = iec::PathPart::Kind;
+  const std::size_t names = expr.parts.size() - 1;
+  const iec::PathPart& last = expr.parts.back();
+  const auto isName = [](const iec::PathPart& part) { return part.kind == PartKind::Name; };
+  if (names < 1 || names > 2 || last.kind != PartKind::Index || last.indices.empty() || last.indices.size() > 2 ||
+      !std::all_of(expr.parts.begin(), expr.parts.end() - 1, isName) || isLocal(expr.parts[0].name))
+    return std::nullopt;
+  const bool isBit = last.indices.size() == 2;
+  iec::Expr first;  // the same at byte 0
+  first.kind = iec::ExprKind::Path;
+  first.span = expr.span;
+  for (std::size_t i = 0; i < names; ++i) first.parts.push_back({PartKind::Name, expr.parts[i].name, {}, 0, 1, {}});
+  std::string& name = first.parts.back().name;
+  if (catalogue_.symbol(first.parts[0].name) != nullptr && names == 1) return std::nullopt;
+  if (isBit && names == 1 && name.size() > 1 && (name.ends_with('X') || name.ends_with('x'))) name.pop_back();
+  name += '0';
+  if (isBit) first.parts.push_back({PartKind::Bit, {}, {}, 0, 1, expr.span});
+  const std::optional<Operand> address = absolute(first);
+  if (!address || address->form != OperandForm::Address) return std::nullopt;
+  Spot spot;
+  spot.operand = *address;
+  spot.bound = bound(spot.operand);
+  spot.indices.emplace_back(last.indices[0].get(), s7300::Bounds{0, 65535});
+  spot.strides.push_back(8);
+  if (isBit) {
+    spot.indices.emplace_back(last.indices[1].get(), s7300::Bounds{0, 7});
+    spot.strides.push_back(1);
+  }
+  return spot;
+}
+
 SclLowering::Spot SclLowering::placeOf(const iec::Expr& expr) {
+  if (std::optional<Spot> address = computedAddress(expr)) return std::move(*address);
   std::vector<std::pair<std::size_t, const iec::PathPart*>> computed;
   Spot spot;
   spot.operand = operandOf(expr, computed);
@@ -310,6 +345,8 @@ Operand SclLowering::pointTo(const Spot& spot, Kind kind, Span span) {
   }
   if (base.area == Area::L) {
     made.place = Place::L;
+  } else if (base.reach == nullptr && spot.operand.form == OperandForm::Address && base.area != Area::DB) {
+    made.place = spot.operand.place;
   } else if (base.reach != nullptr && base.reach->way == Way::Instance) {
     emit("TAR2");
     emit("+D");

@@ -120,6 +120,21 @@ TEST(SclCalls, OnDelayTimer) {
   EXPECT_EQ(stateAfter("13"), "1");  // 1.2 s
 }
 
+// T#... is taken where a timer takes an S5TIME: 1 s is 100 units of 10 ms, and 16#0100 the word of them; what does not
+// fit the base is cut off.
+TEST(SclCalls, TimesOfS5TimersAreWrittenAsTime) {
+  const auto timer = [](const std::string& time) {
+    return mainOf("#left := S_ODT(T_NO := T1, S := I0.0, TV := " + time + ", BI := MW20); MW22 := #left;",
+                  "VAR_TEMP\n left : S5TIME;\nEND_VAR\n");
+  };
+  const std::string on = "scan,I0.0\n1,0\n2,1\n";
+  EXPECT_EQ(lastRow(timer("T#1s"), "MW22", "2", on), lastRow(timer("S5T#1s"), "MW22", "2", on));
+  EXPECT_EQ(lastRow(timer("T#1s"), "MW20,MW22", "2", on), "2,100,256");
+  EXPECT_EQ(lastRow(timer("TIME#12s345ms"), "MW22", "2", on), lastRow(timer("S5T#12s300ms"), "MW22", "2", on));
+  const testscl::Output tooLong = testscl::commandOn("lint", timer("T#3h"));
+  EXPECT_TRUE(tooLong.has("T#3h is no S5TIME: that is 0MS to 2H46M30S")) << tooLong.text;
+}
+
 TEST(SclCalls, UpDownCounter) {
   const std::string program = mainOf(
       "MW22 := S_CUD(C_NO := C1, CU := I0.0, CD := I0.1, S := I0.2, PV := W#16#0010, R := I0.3, CV := MW20, Q := "
@@ -175,6 +190,17 @@ TEST(SclCalls, ElementsOfOneBlockFromAnother) {
   // 3 + 4.
   EXPECT_EQ(lastRow(data + mainOf("DB20.t[DB21.i] := DB21.u[DB21.i] + DB21.u[DB21.i + 1]; MW20 := DB20.t[2];"), "MW20"),
             "1,7");
+}
+
+// DB20.DW[4] is word 4: the third element; DB20.DX[5, 0] is the last bit of it.
+TEST(SclCalls, DataByComputedAddresses) {
+  const std::string data =
+      "DATA_BLOCK DB 20\nSTRUCT\n t : ARRAY[0..3] OF INT := 1, 2, 3, 4;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
+  const std::string index = "VAR_TEMP\n i : INT; j : INT;\nEND_VAR\n";
+  EXPECT_EQ(lastRow(data + mainOf("#i := 4; MW20 := DB20.DW[#i]; #j := 0; M30.0 := DB20.DX[#i + 1, #j];", index),
+                    "MW20,M30.0"),
+            "1,3,1");
+  EXPECT_EQ(lastRow(data + mainOf("#i := 6; DB20.DW[#i] := 9; MW20 := DB20.t[3];", index), "MW20"), "1,9");
 }
 
 // Blocks in statement lists and in SCL call each other.

@@ -130,6 +130,13 @@ constexpr MicroCase microCases[] = {
      "#i := 2; #x[#i].n := 8; #x[1].n := 1; MW20 := #x[2].n;", "MW20", "8"},
     {"whole arrays", "VAR_TEMP\n x : ARRAY [1..3] OF INT; y : ARRAY [1..3] OF INT;\nEND_VAR\n",
      "#x[1] := 1; #x[2] := 2; #x[3] := 3; #y := #x; MW20 := #y[3];", "MW20", "3"},
+    // The byte is computed, and the bit.
+    {"address with a computed byte, written", ints, "#a := 10; MW[#a * 2] := 7;", "MW20", "7"},
+    {"address with a computed byte, read", ints, "MW12 := 5; #a := 12; MW20 := WORD_TO_INT(MW[#a]) + 1;", "MW20", "6"},
+    {"address with a computed bit", ints, "#a := 3; M[20, #a] := TRUE;", "MB20", "8"},
+    {"address with a computed bit, read", ints, "MB10 := B#16#08; #a := 3; IF M[10, #a] THEN MW20 := 4; END_IF;",
+     "MW20", "4"},
+    {"output with a computed byte", ints, "#a := 4; QB[#a + 1] := B#16#09;", "QB5", "9"},
     {"regions are for the reader", ints, "REGION any name here\n MW20 := 6;\nEND_REGION", "MW20", "6"},
     {"comments", ints, "(* MW20 := 1; *) MW20 := 2; // MW20 := 3;", "MW20", "2"},
 };
