@@ -474,7 +474,7 @@ std::string UnreadCode::hindrance() const {
     for (std::uint32_t network = 0; network < program_.pous[block].networks.size(); ++network) {
       const NetworkPlace place{block, network};
       const std::uint32_t cause = mayRun(place) ? causeAt(place) : Influence::none;
-      if (cause != Influence::none) return partText(parts_[cause - 1]);
+      if (cause != Influence::none) return textOf(parts_[cause - 1]);
     }
   }
   return {};
@@ -482,53 +482,6 @@ std::string UnreadCode::hindrance() const {
 
 bool UnreadCode::isRefused() const {
   return std::any_of(parts_.begin(), parts_.end(), [](const UnreadPart& part) { return part.isRefused; });
-}
-
-namespace {
-
-/// Leaves the labels, where jumps from elsewhere may end, and begins a new logic string, as the network may have done:
-/// what would go on with its own depends on it.
-void leaveOut(Network& network) {
-  if (network.instructions.empty()) return;
-  Instruction set;
-  set.desc = setRloStatement();
-  set.span = network.instructions.front().mnemonic();
-  set.mnemonicLength = set.span.length;
-  std::erase_if(network.instructions, [](const Instruction& each) { return each.desc->control != Control::LabelMark; });
-  network.instructions.push_back(std::move(set));
-  network.drawing = nullptr;
-}
-
-}  // namespace
-
-Program UnreadCode::executable() const {
-  Program program = program_;
-  for (const UnreadPart& part : parts_) {
-    for (const NetworkPlace place : part.networks) {
-      Network& network = program.pous[place.block].networks[place.network];
-      if (statements_ != nullptr)
-        leaveOut(network);
-      else
-        network.instructions.clear();
-    }
-  }
-  for (std::uint32_t block = 0; statements_ != nullptr && block < program.pous.size(); ++block) {
-    for (std::uint32_t n = 0; n < program.pous[block].networks.size(); ++n) {
-      if (causeAt(NetworkPlace{block, n}) != Influence::none) leaveOut(program.pous[block].networks[n]);
-    }
-  }
-  for (Pou& pou : program.pous) {
-    for (Network& network : pou.networks) {
-      for (Instruction& instruction : network.instructions) {
-        const CallContract* contract = facts_->contracts().of(instruction);
-        if (contract == nullptr) continue;
-        instruction.operands[0].kind = OperandKind::Symbol;
-        instruction.operands[0].text = contract->name;
-      }
-    }
-  }
-  program.number();
-  return program;
 }
 
 std::string UnreadCode::causeText(std::uint32_t cause) const {
@@ -541,7 +494,7 @@ std::string UnreadCode::causeText(std::uint32_t cause) const {
                      part.isUnlimited ? "anything" : "what this depends on", part.reason, place);
 }
 
-std::string UnreadCode::partText(const UnreadPart& part) const {
+std::string UnreadCode::textOf(const UnreadPart& part) const {
   const std::string place =
       fmt::format("{}:{}", program_.sources->file(part.span.file).name(), program_.sources->position(part.span).line);
   if (part.isData && !part.isUnlimited)
@@ -587,7 +540,7 @@ std::vector<std::string> UnreadCode::texts() const {
       texts.push_back(fmt::format("{} further places are not executed", parts_.size() - mostTexts));
       break;
     }
-    texts.push_back(partText(part));
+    texts.push_back(textOf(part));
   }
   return texts;
 }

@@ -62,6 +62,9 @@ class UnreadCode {
   /// left out too: with other values it might stop the CPU, and then nothing would be asked of the rest. A protected
   /// block is called by its name there, so that what it writes comes from outside.
   Program executable() const;
+  /// The program without those networks, ready to run: of an S7-300/400 their labels stay, where jumps may end, and
+  /// behind them the one statement that begins a new logic string.
+  Program without(std::span<const NetworkPlace> networks) const;
   /// Whether that is the program itself.
   bool isWhole() const { return parts_.empty() && !callsProtected_; }
 
@@ -72,13 +75,14 @@ class UnreadCode {
   std::vector<std::string> reasons(const Operand& place) const;
   /// Why nothing can be said at all; empty: something can.
   std::vector<std::string> reasons() const { return everything_; }
-  /// "MAIN, network 3 (press.awl:12) is not executed: ...; it may write anything", one line for each part.
+  /// "MAIN, network 3 (press.awl:12) is not executed: ...; it may write anything".
+  std::string textOf(const UnreadPart& part) const;
+  /// The same, one line for each part.
   std::vector<std::string> texts() const;
 
  private:
   class Collector;
   std::string causeText(std::uint32_t cause) const;
-  std::string partText(const UnreadPart& part) const;
   bool mayRun(NetworkPlace place) const;
   template <class Spread>
   void addParts(Spread& influence);

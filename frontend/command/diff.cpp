@@ -87,11 +87,12 @@ Exit compareForDiff(const DiffArguments& arguments, Context& context) {
   for (const std::vector<std::string>* lines : {&sides.leftOutBefore, &sides.leftOutAfter}) {
     for (const std::string& line : *lines) context.err << fmt::format("left out: {}\n", line);
   }
-  bool isUnread = false;
+  bool isUnread = false, isRefused = false;
   for (const ProgramInput* input : {&sides.before, &sides.after}) {
     const UnreadCode& unread = input == &sides.before ? *sides.unreadBefore : *sides.unreadAfter;
     if (!unread.isRefused()) continue;
-    isUnread = true;
+    isRefused = true;
+    isUnread = isUnread || unread.hinderRuns();
     Report report = startReport("diff", input->program, input == &sides.before ? sides.filesBefore : sides.filesAfter);
     addUnread(report, input->program, unread);
     sortFindings(report);
@@ -131,7 +132,7 @@ Exit compareForDiff(const DiffArguments& arguments, Context& context) {
                                disagreement.explanation);
     exit = Exit::Failed;
   }
-  return isOpen ? Exit::Failed : exit;
+  return isOpen || isRefused ? Exit::Failed : exit;
 }
 
 Action setUpDiff(ArgumentTable& table) {

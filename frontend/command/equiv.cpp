@@ -175,7 +175,11 @@ Exit runEquiv(const EquivArguments& arguments, Context& context) {
   }
   if (sides.unreadBefore->isRefused() || sides.unreadAfter->isRefused() || !report.findings.empty()) {
     report.reasons.push_back({Exit::Failed, "a part of a program is refused"});
-    return finish(context, std::move(report));
+    // What never runs decides no output: the verdict stands beside its findings.
+    const auto isOfRun = [](const Finding& finding) { return !isProgramReadError(finding) && !finding.refused; };
+    if (sides.unreadBefore->hinderRuns() || sides.unreadAfter->hinderRuns() ||
+        std::ranges::any_of(report.findings, isOfRun))
+      return finish(context, std::move(report));
   }
 
   EquivalenceOptions options;

@@ -10,6 +10,7 @@
 #include <ostream>
 #include <utility>
 
+#include "analysis/unread/run_until_unread.hpp"
 #include "engine/stimulus.hpp"
 #include "frontend/command.hpp"
 #include "frontend/input/program_input.hpp"
@@ -25,6 +26,7 @@
 #include "frontend/simulation/stimulus_column.hpp"
 #include "frontend/simulation/stimulus_reader.hpp"
 #include "frontend/simulation/trace_file.hpp"
+#include "frontend/simulation/unread_watch.hpp"
 #include "frontend/trace_format.hpp"
 #include "ir/s7300/library_contract.hpp"
 
@@ -73,6 +75,7 @@ struct Job {
   std::optional<std::string> stream{};  ///< file to which rows go while the run goes on; "-": standard output
   bool isSparse = false;                ///< only the scans at expected moments are looked at, and those around them
   std::uint64_t memory = 0;             ///< bytes that the trace may take
+  UnreadWatch* unread = nullptr;        ///< where the run may come to what was not read
 
   /// Scans before and behind one that is looked at.
   std::size_t around() const { return compare.slack + scansAround; }
@@ -299,6 +302,7 @@ std::optional<Failure> play(Simulator& simulator, GivenValues* given, const Job&
     ScanRequest request = player.next();
     if (request.lengthUs == 0) request.lengthUs = length(simulator.scanCount() + 1);
     simulator.scan(request);
+    if (job.unread != nullptr && job.unread->isReached()) break;
     if (!afterScan()) break;
     progress.show(simulator.scanCount(), simulator.timeUs());
     if (!simulator.isRunning() && !job.expected) break;
@@ -311,7 +315,10 @@ std::optional<Failure> play(Simulator& simulator, GivenValues* given, const Job&
 std::optional<Failure> record(Simulator& simulator, GivenValues* given, const Job& job, std::uint64_t seed,
                               const Context& context, ScanDrawings* drawings, Trace& trace) {
   trace.signals = job.signals;
-  if (drawings != nullptr) simulator.observe(&drawings->recorder());
+  if (drawings != nullptr && job.unread != nullptr)
+    job.unread->showTo(&drawings->recorder());
+  else if (drawings != nullptr)
+    simulator.observe(&drawings->recorder());
   std::optional<RowsAtMoments> sparse;
   if (job.isSparse) sparse.emplace(*job.expected, job.around(), trace.rows);
   return play(simulator, given, job, seed, context, [&] {
@@ -353,13 +360,9 @@ bool stream(Simulator& simulator, GivenValues* given, const Job& job, std::uint6
 }
 
 /// Takes the columns out of which nobody knows what they hold; those that were asked for are failures.
-void leaveOutUnknown(Job& job, const UnreadCode& unread, bool isAsked, std::vector<Failure>& failures) {
-  const auto reasonOf = [&](const TraceSignal& signal) {
-    const std::vector<std::string> reasons = unread.reasons(signal.operand);
-    return reasons.empty() ? std::string() : reasons.front();
-  };
+void leaveOutUnknown(Job& job, const RunUntilUnread& run, bool isAsked, std::vector<Failure>& failures) {
   std::erase_if(job.signals, [&](const TraceSignal& signal) {
-    const std::string reason = reasonOf(signal);
+    const std::string reason = run.unknownAt(signal.operand);
     const bool isExpected = job.expected && job.expected->indexOf(signal) >= 0;
     if (!reason.empty() && (isAsked || isExpected))
       failures.push_back({fmt::format("{} has no known value", toString(signal.operand)), {}, reason});
@@ -382,16 +385,17 @@ Exit runSim(const SimArguments& arguments, Context& context) {
   Report report = startReport("sim", text, arguments.files);
   report.coverage.leftOut = std::move(leftOut);
   const UnreadCode unread(text);
-  if (const std::string hindrance = unread.hindrance(); !hindrance.empty()) {
+  const RunUntilUnread untilUnread(unread);
+  if (!untilUnread.hindrance().empty()) {
     // A run of the rest would be the run of another program.
     std::erase_if(report.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
     addUnread(report, text, unread);
     report.reasons.push_back({Exit::Failed, "the program is not run"});
-    context.err << fmt::format("rungproof: the program is not run: {}\n", hindrance);
+    context.err << fmt::format("rungproof: the program is not run: {}\n", untilUnread.hindrance());
     finish(context, std::move(report));
     return Exit::Failed;
   }
-  const Program program = unread.executable();
+  const Program& program = untilUnread.program();
   // The run does without it, but not everything could be read.
   if (unread.isRefused()) {
     printUnread(context, "sim", text, unread, arguments.files);
@@ -404,7 +408,7 @@ Exit runSim(const SimArguments& arguments, Context& context) {
 
   Preparation preparation(arguments, context, program);
   Job job = preparation.job();
-  leaveOutUnknown(job, unread, !arguments.signals.empty(), preparation.failures);
+  leaveOutUnknown(job, untilUnread, !arguments.signals.empty(), preparation.failures);
   if (!preparation.failures.empty()) return failAll(context, preparation.failures);
 
   SimulatorOptions options;
@@ -418,6 +422,11 @@ Exit runSim(const SimArguments& arguments, Context& context) {
   Simulator simulator(program, given != nullptr ? wholeOptions(options.choices) : options, given);
   givenValues.setState(simulator.store());
   if (given != nullptr) beginWhole(simulator, job.stimulus, options.choices);
+  UnreadWatch watch(untilUnread.ends());
+  if (untilUnread.mayEnd()) {
+    job.unread = &watch;
+    simulator.observe(&watch);
+  }
   const auto isPage = [](const std::string& name) { return name.ends_with(".html"); };
   std::optional<ScanDrawings> drawings;
   if (std::ranges::any_of(arguments.traces, isPage)) drawings.emplace(program);
@@ -441,15 +450,21 @@ Exit runSim(const SimArguments& arguments, Context& context) {
                        : writeTrace(context, name, written, title)))
       return Exit::Failed;
   }
-  describeRun(report, simulator, job.scanTime);
+  describeRun(report, simulator, job.scanTime, !watch.isReached());  // behind the end nothing is the program's
   if (given == nullptr) addNotComputed(report, program);
   if (given != nullptr && given->unused() > 0)
     context.err << fmt::format(
         "rungproof: the run did not ask for {} values of column 'given': the program, its CPU or "
         "its choices are not those of the witness\n",
         given->unused());
-  if (const std::string text = stopText(simulator); !text.empty() && !context.settings.flag(Opt::Quiet))
+  const bool isTold = !watch.isReached() && !context.settings.flag(Opt::Quiet);
+  if (const std::string text = stopText(simulator); !text.empty() && isTold)
     context.err << fmt::format("rungproof: {} in scan {}\n", text, simulator.scanCount());
+  if (watch.isReached()) {
+    const std::string end = fmt::format("the run ends in scan {}, in {}", simulator.scanCount(), watch.reached());
+    context.err << fmt::format("rungproof: {}\n", end);
+    report.reasons.push_back({Exit::Failed, end});
+  }
   if (job.expected) {
     report.failLevel = Severity::Error;  // a warning is said beside the comparison
     report.comparison = comparisonOf(*job.expected, trace, firstDifference(*job.expected, trace, job.compare));
@@ -459,7 +474,7 @@ Exit runSim(const SimArguments& arguments, Context& context) {
   if (!job.stream && !writeTrace(context, "-", named(std::move(trace), arguments.signalNames()), ""))
     return Exit::Failed;
   if (report.findings.empty() && report.coverage.leftOut.empty() && report.coverage.approximated.empty())
-    return unread.isRefused() ? Exit::Failed : Exit::Clean;
+    return unread.isRefused() || watch.isReached() ? Exit::Failed : Exit::Clean;
   Context beside{context.settings, context.in, context.err, context.err, false, context.progress, context.outputs};
   return finish(beside, std::move(report));
 }

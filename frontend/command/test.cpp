@@ -41,7 +41,11 @@ class TestRun {
     ProgramInput input = readInput(context_, arguments_.files, arguments_.properties);
     Report report = startReport("test", input.program, arguments_.files);
     const UnreadCode unread(input.program);
-    if (unread.isRefused() || unread.hinderRuns()) return refuse(report, input.program, unread);
+    if (unread.hinderRuns()) return refuse(report, input.program, unread);
+    if (unread.isRefused()) {  // in what never runs
+      printUnread(context_, "test", input.program, unread, arguments_.files);
+      report.reasons.push_back({Exit::Failed, "a part that no test needs is refused"});
+    }
     const Program program = unread.executable();
     std::erase_if(report.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
     if (program.main() == nullptr)

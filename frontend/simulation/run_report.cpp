@@ -87,10 +87,11 @@ std::string stopText(const Simulator& simulator) {
   return fmt::format("the CPU went to STOP{}", placeOf(simulator.stoppedBy(), *simulator.plan().program));
 }
 
-void describeRun(Report& report, const Simulator& simulator, const ScanTime& scanTime) {
+void describeRun(Report& report, const Simulator& simulator, const ScanTime& scanTime, bool countsLastScan) {
   const Plan& plan = simulator.plan();
   const Program& program = *plan.program;
   for (const RunTimeError& error : simulator.errors().list()) {
+    if (!countsLastScan && error.scan == simulator.scanCount()) continue;
     const bool isLost = error.hazard == Hazard::QueueOverflow;
     if (hazardInfo(error.hazard).kind != HazardClass::StatusOnly || isLost)
       report.findings.push_back(findingOf(error, simulator));
@@ -118,7 +119,7 @@ void describeRun(Report& report, const Simulator& simulator, const ScanTime& sca
   report.assumptions.push_back(fmt::format("scan time {} where the stimulus says nothing", range));
   report.assumptions.push_back(fmt::format("{} scans, {} ms", simulator.scanCount(),
                                            plainNumber(static_cast<double>(simulator.timeUs()) / 1000)));
-  if (const std::string text = stopText(simulator); !text.empty()) report.assumptions.push_back(text);
+  if (const std::string text = stopText(simulator); !text.empty() && countsLastScan) report.assumptions.push_back(text);
 }
 
 }  // namespace rungproof

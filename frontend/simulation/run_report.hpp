@@ -13,6 +13,7 @@ std::string stopText(const Simulator& simulator);
 
 /// Adds findings RUN001 (non-fatal run-time error), RUN002 (fatal error, STOP), RUN003 (interrupt queue overflow) and
 /// RUN004 (an event of the stimulus that nothing could cause), and the assumptions of the run.
-void describeRun(Report& report, const Simulator& simulator, const ScanTime& scanTime);
+/// `countsLastScan`: whether what the last scan has met is told.
+void describeRun(Report& report, const Simulator& simulator, const ScanTime& scanTime, bool countsLastScan = true);
 
 }  // namespace rungproof
