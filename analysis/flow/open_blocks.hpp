@@ -31,6 +31,9 @@ struct OpenState {
   OpenBlock db, di;
   bool isDiMoved = false, isAr2Moved = false;  ///< may no longer be what the call of the FB has set
   bool isAr1Copy = false;                      ///< AR1 holds what AR2 was
+  bool isDbCopy = false;                       ///< DB holds what DI was
+  /// Local data that holds what AR2 or DI was, by its number among the places into which the block saves them.
+  std::uint32_t saved = 0;
 
   bool join(const OpenState& other);
 };

@@ -142,6 +142,7 @@ bool loadsStatus(const Instruction& instruction) { return instruction.desc->stl 
 
 bool loadsBlockFact(const Instruction& instruction) { return instruction.desc->stl.starts_with("L D"); }
 
+bool loadsInstanceNumber(const Instruction& instruction) { return instruction.desc->stl == "L DINO"; }
 const Desc* setRloStatement() { return s7300Instructions().named("SET"); }
 
 bool asksOverflow(const Instruction& instruction) {

@@ -96,6 +96,8 @@ bool loadsElement(const Instruction& instruction);
 bool loadsStatus(const Instruction& instruction);
 /// L DBNO, L DINO, L DBLG, L DILG.
 bool loadsBlockFact(const Instruction& instruction);
+/// L DINO.
+bool loadsInstanceNumber(const Instruction& instruction);
 /// SET, for a place where a logic string shall begin anew.
 const Desc* setRloStatement();
 /// JO, JOS, and scans of OV and OS.

@@ -72,7 +72,7 @@ TEST(DataBlockRules, AbsoluteAccessesFitTheFields) {
 }
 
 TEST(DataBlockRules, AnFbKeepsItsInstance) {
-  const std::string own = "VAR\nX : INT;\nEND_VAR\nVAR_TEMP\nK : DWORD;\nEND_VAR\n";
+  const std::string own = "VAR\nX : INT;\nEND_VAR\nVAR_TEMP\nK : DWORD;\nN : WORD;\nEND_VAR\n";
   expectFindings(
       "DBA004",
       {{"LAR2", 1, fb(1, "L P#4.0;\nLAR2;\nL 5;\nT #X;", own)},
@@ -86,6 +86,18 @@ TEST(DataBlockRules, AnFbKeepsItsInstance) {
        {"saved by way of ACCU1", 0, fb(1, "TAR2;\nT #K;\nLAR2 P#4.0;\nL #K;\nLAR2;\nL #X;\nT MW 0;", own)},
        {"kept in AR1", 0, fb(1, "LAR1 AR2;\nLAR2 P#4.0;\nL W [AR2,P#0.0];\nT MW 0;\nTAR1 AR2;\nL #X;\nT MW 0;", own)},
        {"CAR twice", 0, fb(1, "CAR;\nCAR;\nL #X;\nT MW 0;", own)},
+       {"AR2 saved, and something else written there", 1,
+        fb(1, "TAR2 #K;\nLAR2 P#4.0;\nL 5;\nT #K;\nLAR2 #K;\nL #X;\nT MW 0;", own)},
+       {"AR2 saved when it was moved", 1, fb(1, "LAR2 P#4.0;\nTAR2 #K;\nLAR2 #K;\nL #X;\nT MW 0;", own)},
+       {"DI saved and opened again", 0, data + fb(1, "L DINO;\nT #N;\nOPN DI 1;\nOPN DI [#N];\nL #X;\nT MW 0;", own)},
+       {"on one way only", 1,
+        data + fb(1, "A I 0.0;\nJC m;\nL DINO;\nT #N;\nm: OPN DI 1;\nOPN DI [#N];\nL #X;\nT MW 0;", own)},
+       {"DI saved, and something else written there", 1,
+        data + fb(1, "L DINO;\nT #N;\nOPN DI 1;\nL 1;\nT #N;\nOPN DI [#N];\nL #X;\nT MW 0;", own)},
+       {"DI saved when it was moved", 1, data + fb(1, "OPN DI 1;\nL DINO;\nT #N;\nOPN DI [#N];\nL #X;\nT MW 0;", own)},
+       {"CDB twice", 0, fb(1, "CDB;\nCDB;\nL #X;\nT MW 0;", own)},
+       {"another block opened between", 1, data + fb(1, "CDB;\nOPN DB 1;\nCDB;\nL #X;\nT MW 0;", own)},
+       {"CDB behind another block in DI", 1, data + fb(1, "OPN DI 1;\nCDB;\nL #X;\nT MW 0;", own)},
        {"in an FC", 0, fc(1, "LAR2 P#4.0;\nL #X;\nT MW 0;", "VAR_INPUT\nX : INT;\nEND_VAR\n")},
        {"AR1", 0, fb(1, "LAR1 P#4.0;\nL #X;\nT MW 0;", own)},
        {"nothing of its own behind it", 0, fb(1, "L #X;\nT MW 0;\nLAR2 P#4.0;\nL MW [AR2,P#0.0];\nT MW 2;", own)}});
