@@ -1,7 +1,7 @@
 // ARI001: a divisor that is 0 or may be. Divisors that a comparison in the same rung keeps from 0, or that only
 // constants other than 0 are moved into, are safe; the rest is the prover's. On an S7-300/400 a comparison before it or
-// a look at OV behind it is enough, and nobody is asked. Tested by its examples, tests/rules/data_rules_test.cpp and
-// tests/rules/step7_data_rules_test.cpp.
+// a look at OV behind it is enough; what is left stays unconfirmed. Tested by its examples,
+// tests/rules/data_rules_test.cpp and tests/rules/step7_data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -74,7 +74,6 @@ void checkAccus(const Facts& facts, FindingSink& sink) {
           division.span, fmt::format("{} divides by {}, which may be 0", Facts::text(division), facts.name(divisor)));
       finding.related.push_back({load->span, "the divisor"});
       finding.address = toString(divisor);
-      finding.confirmation = Confirmation::NotNeeded;
       finding.help = "compare the divisor with 0 and jump over the division, or ask OV behind it";
     }
   });

@@ -63,8 +63,8 @@ bool losesProduct(const Instruction& multiplication, const Instruction& store) {
   return *product == Product::LowHalf || bytes(store.operands[0].width) <= 2;
 }
 
-/// S7-300/400: a product of two values that were loaded, stored at once, when nothing asks OV or OS behind it. Nobody
-/// is asked.
+/// S7-300/400: a product of two values that were loaded, stored at once, when nothing asks OV or OS behind it. Whether
+/// one ever leaves its type is not asked.
 void checkProductsOfAccus(const Facts& facts, FindingSink& sink) {
   eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
     for (std::uint32_t at = 0; at + 1 < flow.steps.size(); ++at) {
@@ -82,7 +82,6 @@ void checkProductsOfAccus(const Facts& facts, FindingSink& sink) {
           product.span, fmt::format("the product of {} and {} can leave its type, and neither OV nor OS is asked",
                                     facts.name(first), facts.name(second)));
       finding.related.push_back({loads.accu2->span, "the first factor"});
-      finding.confirmation = Confirmation::NotNeeded;
       finding.help = "ask OV behind it, compare the factors with limits before, or use a wider type";
     }
   });

@@ -18,6 +18,7 @@ namespace rungproof {
 
 namespace {
 
+constexpr int comesOnAtAll = 0, goesOffAgain = 1;
 constexpr std::int64_t longestScan = 500;  ///< ms: the watchdog (001:5718); a bit is sampled once a scan
 
 std::string secondsText(std::int64_t ms) { return fmt::format("{:g} s", static_cast<double>(ms) / 1000); }
@@ -109,13 +110,18 @@ void askTim008(Asking& asking, const Instruction& box) {
               .message = fmt::format("the bit of {} can never be 1", name),
               .address = name,
               .place = &box,
-              .bad = on});
+              .bad = on,
+              .aspect = comesOnAtAll});
   asking.ask({.name = fmt::format("{} can be reset", name),
               .message = fmt::format("once on, the bit of {} never returns to 0", name),
               .address = name,
               .place = &box,
-              .bad = graph.land(before, graph.lnot({now})).node});
+              .bad = graph.land(before, graph.lnot({now})).node,
+              .aspect = goesOffAgain});
 }
+
+/// A bit that is never on never goes off.
+constexpr Explanation tim008Explained[] = {{"TIM008", Where::SameAddress, comesOnAtAll, goesOffAgain}};
 
 }  // namespace
 
@@ -137,6 +143,7 @@ extern constexpr Rule tim008_never_fires = {
     .check = checkTim008,
     .ask = {.in = asked::Builtin, .turn = 40, .cost = 3, .wantsYes = true, .box = askTim008},
     .tell = {.advice = "look at the input and the preset"},
+    .explainedBy = tim008Explained,
 };
 
 }  // namespace rungproof
