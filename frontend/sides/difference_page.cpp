@@ -112,6 +112,7 @@ std::string differencePage(const Sides& sides, const ProgramDifference& differen
       pageStyle, svgStyle(), overall(difference), closingLine(difference));
   for (const VerdictChange& verdict : difference.verdicts)
     page += fmt::format("<p class=bad>{}</p>\n", xmlText(verdictLine(verdict)));
+  for (const std::string& line : valueLines(difference)) page += fmt::format("<p>{}</p>\n", xmlText(line));
   for (const NetworkChange& change : difference.changes) {
     page += fmt::format("<h2>{}</h2>\n<div class=pair>\n", xmlText(changeHeading(sides, change.networks)));
     for (const bool isOld : {true, false}) {
@@ -143,6 +144,7 @@ std::string differencePicture(const Sides& sides, const ProgramDifference& diffe
   sheet.line(closingLine(difference), "rp");
   sheet.space(6);
   for (const VerdictChange& verdict : difference.verdicts) sheet.line(verdictLine(verdict), "rk bad");
+  for (const std::string& line : valueLines(difference)) sheet.line(line, "rk plain");
   for (std::size_t i = 0; i < drawings.size(); ++i) {
     const NetworkChange& change = difference.changes[i];
     sheet.space(14);

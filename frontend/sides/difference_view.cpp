@@ -112,12 +112,28 @@ std::vector<InfluenceLine> influenceLines(const NetworkChange& change) {
   return lines;
 }
 
+std::vector<std::string> valueLines(const ProgramDifference& difference) {
+  constexpr std::size_t most = 20;
+  std::vector<std::string> lines;
+  for (const ValueChange& value : difference.values) {
+    if (lines.size() == most) {
+      lines.push_back(fmt::format("{} more begin with other values", difference.values.size() - most));
+      break;
+    }
+    lines.push_back(changeText(value));
+  }
+  return lines;
+}
+
 std::string closingLine(const ProgramDifference& difference) {
   const auto counted = [](std::size_t n, std::string_view one, std::string_view many) {
     return fmt::format("{} {}", n, n == 1 ? one : many);
   };
-  std::string text = counted(difference.changes.size(), "network changed", "networks changed") + ", " +
-                     counted(difference.countOf(Equality::Different), "output can differ", "outputs can differ");
+  std::string text =
+      counted(difference.changes.size(), "network changed", "networks changed") + ", " +
+      (difference.values.empty() ? ""
+                                 : counted(difference.values.size(), "first value", "first values") + " changed, ") +
+      counted(difference.countOf(Equality::Different), "output can differ", "outputs can differ");
   if (const std::size_t open = difference.countOf(Equality::Unknown); open > 0)
     text += fmt::format(", {} undecided", open);
   return text;
@@ -146,6 +162,7 @@ std::string differenceText(const Sides& sides, const ProgramDifference& differen
   std::string text;
   for (const VerdictChange& verdict : difference.verdicts)
     text += fmt::format("{}: '{}' was {}, is {}\n", paint.red("verdict"), verdict.name, verdict.before, verdict.after);
+  for (const std::string& line : valueLines(difference)) text += fmt::format("{}: {}\n", paint.yellow("value"), line);
   for (const NetworkChange& change : difference.changes) {
     text += (text.empty() ? "" : "\n") + paint.bold(changeHeading(sides, change.networks)) + '\n';
     const std::vector<std::string> left = linesOf(*sides.runBefore, change.networks.before, style),
@@ -197,6 +214,9 @@ std::string differenceJson(const Sides& sides, const ProgramDifference& differen
   json["verdicts"] = Json::array();
   for (const VerdictChange& verdict : difference.verdicts)
     json["verdicts"].push_back({{"name", verdict.name}, {"old", verdict.before}, {"new", verdict.after}});
+  json["values"] = Json::array();
+  for (const ValueChange& value : difference.values)
+    json["values"].push_back({{"name", value.name}, {"old", value.before}, {"new", value.after}});
   json["first_difference"] = nullptr;
   if (const auto& run = difference.first)
     json["first_difference"] = {{"scan", run->scan},

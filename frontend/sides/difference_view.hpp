@@ -19,6 +19,8 @@ std::string differenceText(const Sides& sides, const ProgramDifference& differen
 std::string differencePage(const Sides& sides, const ProgramDifference& difference, const DifferenceStyle& style);
 std::string differencePicture(const Sides& sides, const ProgramDifference& difference, const DifferenceStyle& style);
 std::string differenceJson(const Sides& sides, const ProgramDifference& difference);
+/// With which values the programs begin, where that differs.
+std::vector<std::string> valueLines(const ProgramDifference& difference);
 /// "2 networks changed, 1 output can differ".
 std::string closingLine(const ProgramDifference& difference);
 

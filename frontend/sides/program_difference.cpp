@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "analysis/unread/influence.hpp"
+#include "analysis/unread/statement_influence.hpp"
 #include "engine/trace.hpp"
 #include "frontend/sides/difference_report.hpp"
 #include "ir/iec/variables.hpp"
@@ -27,10 +28,22 @@ class ReachOfChange {
       : program_(program), facts_(program), signals_(touchedSignals(program)), pairs_(pairs), isOld_(isOld) {}
 
   void add(NetworkChange& change, const NetworkRef& network, const std::vector<ObservedVerdict>& verdicts) const {
+    const NetworkPlace place{static_cast<std::uint32_t>(network.pou), static_cast<std::uint32_t>(network.network)};
+    if (facts_.form() == StatementForm::Accumulators) {
+      StatementInfluence influence(facts_);
+      influence.addNetwork(place, 1);
+      influence.spread();
+      return add(change, influence, verdicts);
+    }
     Influence influence(facts_);
-    influence.addChangedNetwork({static_cast<std::uint32_t>(network.pou), static_cast<std::uint32_t>(network.network)},
-                                1);
+    influence.addChangedNetwork(place, 1);
     influence.spread();
+    add(change, influence, verdicts);
+  }
+
+ private:
+  template <class Spread>
+  void add(NetworkChange& change, const Spread& influence, const std::vector<ObservedVerdict>& verdicts) const {
     change.isEverything = change.isEverything || influence.everything() != Influence::none;
     if (change.isEverything) addPulses(change, verdicts);
     for (const TraceSignal& signal : signals_) {
@@ -46,9 +59,8 @@ class ReachOfChange {
       if (!isObserved && isInfluenced(influence, o, 1)) addMemory(change, nameWithSymbol(program_, o));
     }
   }
-
- private:
-  static bool isInfluenced(const Influence& influence, const Operand& o, std::uint32_t elements) {
+  template <class Spread>
+  static bool isInfluenced(const Spread& influence, const Operand& o, std::uint32_t elements) {
     return influence.causeAt(rowOf(o.area, o.width, o.offset, o.bit, elements)) != Influence::none;
   }
   static void addMemory(NetworkChange& change, const std::string& name) {
@@ -134,6 +146,7 @@ ProgramDifference differenceOf(const Sides& sides, const EquivalenceOptions& giv
     if (pair.before) ofBefore.add(change, *pair.before, difference.equivalence.outputs);
     if (pair.after) ofAfter.add(change, *pair.after, difference.equivalence.outputs);
   }
+  difference.values = changedValues(*sides.runBefore, *sides.runAfter);
   difference.verdicts = changedVerdicts(sides, options.prover);
   if (difference.equivalence.run) {
     difference.first.emplace();

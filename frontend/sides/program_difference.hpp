@@ -8,6 +8,7 @@
 
 #include "analysis/equivalence/equivalence.hpp"
 #include "frontend/report.hpp"
+#include "frontend/sides/changed_values.hpp"
 #include "frontend/sides/sides.hpp"
 
 namespace rungproof {
@@ -34,6 +35,7 @@ struct VerdictChange {
 
 struct ProgramDifference {
   std::vector<NetworkChange> changes;
+  std::vector<ValueChange> values;  ///< with which the programs begin
   std::vector<VerdictChange> verdicts;
   Equivalence equivalence;          ///< every observed output has its verdict
   std::optional<Comparison> first;  ///< the run of the first difference, lit in both programs
