@@ -49,6 +49,16 @@ TypeKind onlyType(const std::vector<DeclaredValue>& values, BitRange range) {
   return isOne ? values[0].kind : TypeKind::Unknown;
 }
 
+/// The type of the symbol at just that address, of the width of the access.
+TypeKind ofSymbol(const s7300::Declarations& declarations, const Operand& operand) {
+  const auto found = declarations.symbolTypes.find({operand.area, operand.offset});
+  if (found == declarations.symbolTypes.end() || operand.width == Width::Bit) return TypeKind::Unknown;
+  s7300::Type type;
+  type.kind = found->second;
+  const bool isWhole = found->second != TypeKind::Bool && s7300::accessWidth(type) == operand.width;
+  return isWhole ? found->second : TypeKind::Unknown;
+}
+
 }  // namespace
 
 std::vector<DeclaredValue> valuesIn(const s7300::Structure& structure, BitRange range) {
@@ -70,7 +80,8 @@ TypeKind declaredTypeOf(const Facts& facts, const Flow& flow, const Operand& ope
   const int block = flow.pou->number;
   if (operand.reach == nullptr) {
     if (operand.area == Area::L) return in(structureOf(declarations->temporary, block), operand.offset);
-    if (operand.area != Area::DB || operand.kind != OperandKind::Direct) return TypeKind::Unknown;
+    if (operand.kind != OperandKind::Direct) return TypeKind::Unknown;
+    if (operand.area != Area::DB) return ofSymbol(*declarations, operand);
     const auto found = declarations->dataBlocks.find(blockOfByte(operand.offset));
     return found == declarations->dataBlocks.end() ? TypeKind::Unknown
                                                    : in(found->second.get(), byteInBlock(operand.offset));

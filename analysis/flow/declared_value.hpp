@@ -25,8 +25,9 @@ struct BitRange {
 /// The values that share bits with the range.
 std::vector<DeclaredValue> valuesIn(const s7300::Structure& structure, BitRange range);
 
-/// The type of the value at the operand's place: a member of a data block, a parameter or a variable of the block, or a
-/// part of one. Unknown where no declaration has one value of just that width there.
+/// The type of the value at the operand's place: a member of a data block, a parameter or a variable of the block, a
+/// part of one, or what a symbol table says of the address. Unknown where no declaration has one value of just that
+/// width there.
 s7300::TypeKind declaredTypeOf(const Facts& facts, const Flow& flow, const Operand& operand);
 
 }  // namespace rungproof

@@ -209,6 +209,11 @@ class ProjectBuilder {
       if (row.address.form != OperandForm::Address) continue;
       BoundOperand bound = binder.bind(row.address, nowhere);
       if (!bound.fault.empty()) continue;  // told where the symbol is used
+      if (const std::optional<s7300::Type> type = s7300::typeNamed(row.type); type && bound.operand.isMemory()) {
+        const auto [known, isNew] =
+            declarations_->symbolTypes.emplace(std::pair(bound.operand.area, bound.operand.offset), type->kind);
+        if (!isNew && known->second != type->kind) known->second = s7300::TypeKind::Unknown;
+      }
       program_.symbols.push_back({row.name.text, std::move(bound.operand), row.comment, row.name.span});
     }
   }

@@ -38,8 +38,10 @@ struct SourceFault {
 struct Declarations {
   std::map<std::uint32_t, std::shared_ptr<const Structure>> dataBlocks;  ///< by number
   std::map<std::string, std::uint32_t> dataBlockNames;                   ///< by foldedName() of the symbol
-  std::map<int, std::shared_ptr<const Structure>> parameters;            ///< by Pou::number; of an FB its instance
-  std::map<int, std::shared_ptr<const Structure>> temporary;             ///< by Pou::number
+  /// What symbol tables say of addresses outside of data blocks; Unknown where two rows differ.
+  std::map<std::pair<Area, std::uint32_t>, TypeKind> symbolTypes;
+  std::map<int, std::shared_ptr<const Structure>> parameters;  ///< by Pou::number; of an FB its instance
+  std::map<int, std::shared_ptr<const Structure>> temporary;   ///< by Pou::number
   /// Data blocks of which no file tells what stands where, by number, each with the place of the finding that says so.
   std::map<std::uint32_t, Span> openBlocks;
   std::vector<OpenValue> openValues;
