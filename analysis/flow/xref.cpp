@@ -5,7 +5,14 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <set>
+#include <span>
 #include <tuple>
+
+#include "analysis/flow/open_blocks.hpp"
+#include "ir/block_map.hpp"
+#include "ir/s7300/block.hpp"
 
 namespace rungproof {
 
@@ -75,6 +82,63 @@ std::vector<FreeRange> freeRanges(const Facts& facts, const std::vector<XrefEntr
   return free;
 }
 
+/// S7-300/400: where the instances of function blocks lie, also those inside of others.
+class Instances {
+ public:
+  struct Place {
+    std::uint32_t dataBlock, first;
+  };
+
+  explicit Instances(const Facts& facts) : facts_(facts) {
+    if (!facts.dialect().memory.hasDataBlocks) return;
+    const Program& program = facts.program();
+    for (const CallSite& site : facts.calls().sites()) {  // UC and CC call on whatever is open
+      if (site.callee != noBlock && site.instruction->operands.size() < 2) isAnywhere_.insert(site.callee);
+    }
+    states_.resize(program.pous.size());
+    for (std::uint32_t block = 0; block < program.pous.size(); ++block) {
+      if (hasInstance(program.pous[block])) collect(block, program.pous[block].number, 0, 0);
+    }
+  }
+
+  /// The places that the access to own data of a function block may mean; empty: they are not known.
+  std::span<const Place> of(const Access& access) {
+    const InstructionPlace& at = facts_.place(access.instruction);
+    const Instruction& instruction = *at.instruction;
+    const auto found = places_.find(at.block);
+    if (found == places_.end() || isAnywhere_.contains(at.block) || access.operand >= instruction.operands.size() ||
+        facts_.program().pous[at.block].isBuiltIn)
+      return {};
+    const Operand& operand = instruction.operands[access.operand];
+    if (operand.reach == nullptr || operand.reach->way != Way::Instance) return {};
+    OpenStates& states = states_[at.block];
+    if (states.empty()) states = openStates(facts_.program(), facts_.plan().flows[at.block]);
+    const std::optional<OpenState>& open = states[at.step];
+    if (!open || open->isDiMoved || open->isAr2Moved) return {};
+    return found->second;
+  }
+
+ private:
+  void collect(std::uint32_t block, int number, std::uint32_t first, int depth) {
+    constexpr int mostLevels = 8;  // that instances may be nested
+    const Program& program = facts_.program();
+    for (const DataBlock& data : program.dataBlocks) {
+      if (data.instanceOf == number) places_[block].push_back({data.number, first});
+    }
+    for (const Pou& pou : program.pous) {
+      for (const LocalVariable& local : pou.locals) {
+        if (local.instanceOf == number && hasInstance(pou) && depth < mostLevels)
+          collect(block, pou.number, first + local.address.offset, depth + 1);
+      }
+    }
+  }
+
+  const Facts& facts_;
+  std::set<std::uint32_t> isAnywhere_;
+  std::map<std::uint32_t, std::vector<Place>> places_;  ///< by block
+  std::vector<OpenStates> states_;
+};
+
 }  // namespace
 
 std::uint32_t XrefEntry::firstBit() const { return addressedByNumber(area) ? offset * 32 : offset * 8 + bit; }
@@ -89,7 +153,16 @@ Xref crossReference(const Facts& facts) {
   std::map<std::tuple<Area, std::uint32_t, std::uint32_t, std::uint8_t, Width, std::uint16_t>,
            std::vector<const Access*>>
       byPlace;
+  Instances instances(facts);
   for (const Access& access : facts.accesses().all()) {
+    if (access.viaPointer && access.pointed == Pointed::InArea) {
+      const std::uint8_t bit = access.width == Width::Bit ? access.bit : 0;
+      const std::span<const Instances::Place> places = instances.of(access);
+      for (const auto& [dataBlock, first] : places)
+        byPlace[{Area::DB, 0, dataByte(dataBlock, first + access.offset), bit, access.width, access.count}].push_back(
+            &access);
+      if (!places.empty()) continue;
+    }
     if (access.viaPointer && access.pointed == Pointed::OfCall) continue;  // the call has it
     if (access.viaPointer) {
       xref.throughPointers.push_back(&access);
