@@ -1,7 +1,10 @@
 // Finding what stands at a place.
 #include "frontend/editor/cursor.hpp"
 
+#include <algorithm>
+
 #include "frontend/editor/property_words.hpp"
+#include "frontend/stl/stl_lexer.hpp"
 
 namespace rungproof {
 
@@ -26,6 +29,21 @@ void findInInstruction(const Instruction& instruction, std::uint32_t offset, Cur
   }
 }
 
+/// SCL: many instructions have the span of one statement; the smallest operand that stands there is meant.
+void findInStructured(const CheckedDocument& document, const Network& network, std::uint32_t offset, Cursor& cursor) {
+  for (const Instruction& instruction : network.instructions) {
+    for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
+      const Operand& operand = instruction.operands[i];
+      const bool isThere = document.isHere(operand.span) && operand.span.length > 0 && touches(operand.span, offset);
+      if (!isThere || !operand.isMemory() || (cursor.operand && cursor.span.length <= operand.span.length)) continue;
+      cursor.instruction = &instruction;
+      cursor.operand = operand;
+      cursor.operandIndex = static_cast<int>(i);
+      cursor.span = operand.span;
+    }
+  }
+}
+
 void findInProgram(const CheckedDocument& document, std::uint32_t offset, Cursor& cursor) {
   const SourceFile& source = document.source();
   for (const Pou& pou : document.program().pous) {
@@ -33,6 +51,7 @@ void findInProgram(const CheckedDocument& document, std::uint32_t offset, Cursor
       if (!document.isHere(network.span) || !touches(network.span, offset)) continue;
       cursor.pou = &pou;
       cursor.network = &network;
+      if (network.isStructured) return findInStructured(document, network, offset, cursor);
       for (const Instruction& instruction : network.instructions) {
         if (document.isHere(instruction.span) && touches(instruction.span, offset))
           return findInInstruction(instruction, offset, cursor);
@@ -82,6 +101,42 @@ std::optional<Type> routineType(const Instruction& instruction, std::size_t oper
   const Type type = instruction.desc->operand(static_cast<int>(operand)).type;
   const bool isRoutine = type == Type::Label || type == Type::Subroutine || type == Type::Interrupt;
   return isRoutine ? std::optional(type) : std::nullopt;
+}
+
+const LocalVariable* localAt(const CheckedDocument& document, const Cursor& cursor) {
+  const std::string_view written = document.source().text(cursor.span);
+  if (cursor.pou == nullptr || !written.starts_with('#')) return nullptr;
+  const std::string_view name = written.substr(1, written.substr(1).find_first_of(".["));
+  const auto local = std::ranges::find_if(cursor.pou->locals,
+                                          [&](const LocalVariable& one) { return equalsIgnoringCase(one.name, name); });
+  return local == cursor.pou->locals.end() ? nullptr : &*local;
+}
+
+std::vector<const Access*> usesOfLocal(const CheckedDocument& document, const Cursor& cursor) {
+  std::vector<const Access*> uses;
+  if (!cursor.operand || cursor.pou == nullptr) return uses;
+  const Facts& facts = document.facts();
+  const Operand& wanted = *cursor.operand;
+  const auto isSame = [&](const Operand& operand) {
+    const bool isOfKind = operand.kind == wanted.kind && operand.area == wanted.area &&
+                          (operand.reach == nullptr) == (wanted.reach == nullptr);
+    if (!isOfKind) return false;
+    if (wanted.reach != nullptr &&
+        (operand.reach->way != wanted.reach->way || operand.reach->parameter != wanted.reach->parameter))
+      return false;
+    const auto first = [](const Operand& o) { return o.offset * 8 + (o.width == Width::Bit ? o.bit : 0); };
+    const auto end = [&](const Operand& o) { return first(o) + static_cast<std::uint32_t>(bits(o.width)); };
+    return first(operand) < end(wanted) && first(wanted) < end(operand);
+  };
+  for (const Network& network : cursor.pou->networks) {
+    for (const Instruction& instruction : network.instructions) {
+      for (const Access& access : facts.accesses().of(instruction.id)) {
+        const bool isShown = access.operand < instruction.operands.size();
+        if (isShown && isSame(instruction.operands[access.operand])) uses.push_back(&access);
+      }
+    }
+  }
+  return uses;
 }
 
 std::optional<Type> Cursor::routine() const {

@@ -26,6 +26,11 @@ struct Cursor {
 
 Cursor cursorAt(const CheckedDocument& document, std::uint32_t offset);
 
+/// S7-300/400: the parameter or variable of its block that #name means, or nullptr.
+const LocalVariable* localAt(const CheckedDocument& document, const Cursor& cursor);
+/// What the block does with the local data that the operand is.
+std::vector<const Access*> usesOfLocal(const CheckedDocument& document, const Cursor& cursor);
+
 /// Label, Subroutine or Interrupt if that operand of the instruction is the number of one.
 std::optional<Type> routineType(const Instruction& instruction, std::size_t operand);
 

@@ -15,6 +15,7 @@
 #include "frontend/picture/network_view.hpp"
 #include "frontend/rpc/command_output.hpp"
 #include "frontend/stl/stl_lexer.hpp"
+#include "frontend/text/excerpt.hpp"
 #include "ir/s7200/special_memory.hpp"
 
 namespace rungproof {
@@ -64,8 +65,9 @@ std::string useText(const CheckedDocument& document, const Access& access) {
   const std::string place = document.isHere(instruction.span)
                                 ? fmt::format("line {}", sources.position(instruction.span).line)
                                 : placeText(sources, instruction.span);
-  return fmt::format("- {} network {}, {}: `{}`\n", facts.pouOf(access.instruction).name,
-                     facts.networkOf(access.instruction).number, place, Facts::text(instruction));
+  const Network& network = facts.networkOf(access.instruction);
+  const std::string said = network.isStructured ? excerpt(sources.text(instruction.span)) : Facts::text(instruction);
+  return fmt::format("- {} network {}, {}: `{}`\n", facts.pouOf(access.instruction).name, network.number, place, said);
 }
 
 std::string usesText(const CheckedDocument& document, std::string_view heading, const std::vector<const Access*>& uses,
@@ -137,7 +139,7 @@ std::string pouText(const Pou* pou) {
   if (pou == nullptr) return "A block without text in this program";
   std::string text = fmt::format("**{}** {}\n", blockHeading(*pou), pou->protectedBlock ? "(protected)" : "");
   for (const LocalVariable& local : pou->locals) {
-    if (local.section == VarSection::Temp) continue;
+    if (local.section == VarSection::Temp || local.section == VarSection::Static) continue;
     const std::string_view section = local.section == VarSection::Input    ? "in"
                                      : local.section == VarSection::Output ? "out"
                                                                            : "in and out";
@@ -168,12 +170,8 @@ const Pou* blockOfConstant(const CheckedDocument& document, const Cursor& cursor
 
 /// S7-300/400: #n is what the block declares; its place, in the instance or in L, is none that the text names.
 std::string localPage(const CheckedDocument& document, const Cursor& cursor) {
-  const std::string_view written = document.source().text(cursor.span);
-  if (cursor.pou == nullptr || !written.starts_with('#')) return {};
-  const std::string_view name = written.substr(1, written.substr(1).find_first_of(".["));
-  const auto local = std::ranges::find_if(cursor.pou->locals,
-                                          [&](const LocalVariable& one) { return equalsIgnoringCase(one.name, name); });
-  if (local == cursor.pou->locals.end()) return {};
+  const LocalVariable* const local = localAt(document, cursor);
+  if (local == nullptr) return {};
   const std::string_view section = local->section == VarSection::Input    ? "input"
                                    : local->section == VarSection::Output ? "output"
                                    : local->section == VarSection::InOut  ? "input and output"
@@ -181,6 +179,10 @@ std::string localPage(const CheckedDocument& document, const Cursor& cursor) {
                                                                           : "static";
   std::string text = fmt::format("**#{}** of {}, {}\n", local->name, cursor.pou->name, section);
   if (local->span.length > 0) text += "\n" + block(document.program().sources->text(local->span));
+  std::vector<const Access*> writers, readers;
+  for (const Access* use : usesOfLocal(document, cursor)) (use->write || use->maybe ? writers : readers).push_back(use);
+  text += usesText(document, "Written by", writers, "This block does not write it.");
+  text += usesText(document, "Read by", readers, "This block does not read it.");
   return text;
 }
 
@@ -199,7 +201,8 @@ Json hoverOfVariable(const CheckedDocument& document, std::uint32_t offset) {
   while (begin > 0 && isPart(text[begin - 1])) --begin;
   while (end < text.size() && isPart(text[end])) ++end;
   const std::string_view word = text.substr(begin, end - begin);
-  const auto name = isStructuredText(document) ? textNameAt(document, offset) : std::nullopt;
+  const bool hasNames = isStructuredText(document) || isSclText(document);
+  const auto name = hasNames ? textNameAt(document, offset) : std::nullopt;
   const auto named = [&](const std::string& wanted) {
     return std::ranges::find_if(document.program().symbols,
                                 [&](const Symbol& one) { return equalsIgnoringCase(one.name, wanted); });
@@ -226,6 +229,8 @@ Json hoverOfVariable(const CheckedDocument& document, std::uint32_t offset) {
 Json hoverAt(const CheckedDocument& document, ClientPlace place) {
   if (document.source().text().empty()) return nullptr;
   if (formOf(document.program().target) == StatementForm::Expressions)
+    return hoverOfVariable(document, document.offset(place));
+  if (isSclText(document) && textNameAt(document, document.offset(place)))
     return hoverOfVariable(document, document.offset(place));
   const Cursor cursor = cursorAt(document, document.offset(place));
   std::string text;

@@ -98,6 +98,8 @@ void addDeclarations(const Cursor& cursor, Places& places) {
         places.add(local.span);
     }
   }
+  if (const LocalVariable* local = localAt(document, cursor); operand.reach != nullptr && local != nullptr)
+    return places.add(local->span);
   const Symbol* const named = operand.text.empty() ? nullptr : document.facts().symbolNamed(operand.text);
   const Symbol* const symbol = named != nullptr ? named : document.facts().symbolOf(operand);
   if (symbol != nullptr) places.add(symbol->span);
@@ -118,6 +120,12 @@ bool isAddress(const Cursor& cursor) {
 
 void addUses(const Cursor& cursor, bool onlyWriters, Places& places) {
   const CheckedDocument& document = places.document();
+  if (cursor.operand->reach != nullptr) {  // S7-300/400: own data of a block lies at no address that is written
+    for (const Access* use : usesOfLocal(document, cursor)) {
+      if (!onlyWriters || use->write || use->isBox) places.add(spanOf(document, *use));
+    }
+    return;
+  }
   Operand address = *cursor.operand;
   address.kind = OperandKind::Direct;
   for (const std::size_t index : entriesTouching(document.xref(), address)) {
@@ -215,9 +223,9 @@ OutlineKind kindOf(const Pou& pou) {
 
 Json definitionsAt(const CheckedDocument& document, ClientPlace place) {
   Places places(document);
-  if (isStructuredText(document)) {
+  if (isStructuredText(document) || isSclText(document)) {
     if (const auto name = textNameAt(document, document.offset(place))) places.add(name->declaration);
-    return places.locations();
+    if (!places.empty() || isStructuredText(document)) return places.locations();
   }
   const Cursor cursor = cursorAt(document, document.offset(place));
   if (cursor.operand && cursor.routine()) addRoutine(cursor, places);
@@ -238,7 +246,7 @@ void addReferences(const Cursor& cursor, bool withDeclaration, Places& places) {
   if (!isAddress(cursor)) return;
   if (withDeclaration) addDeclarations(cursor, places);
   addUses(cursor, false, places);
-  addUsesInProperties(cursor, places);
+  if (cursor.operand->reach == nullptr) addUsesInProperties(cursor, places);
 }
 
 }  // namespace
@@ -272,10 +280,14 @@ Json referencesAt(const CheckedDocument& document, ClientPlace place, bool withD
     const auto name = textNameAt(document, document.offset(place));
     return name ? referencesInTexts(document, *name, withDeclaration) : places.locations();
   }
+  if (isSclText(document)) {
+    if (const auto name = textNameAt(document, document.offset(place)))
+      return referencesInTexts(document, *name, withDeclaration);
+  }
   const Cursor cursor = cursorAt(document, document.offset(place));
   addReferences(cursor, withDeclaration, places);
   Json locations = places.locations();
-  if (isAddress(cursor)) addUsesBeside(document, *cursor.operand, locations);
+  if (isAddress(cursor) && cursor.operand->reach == nullptr) addUsesBeside(document, *cursor.operand, locations);
   return locations;
 }
 

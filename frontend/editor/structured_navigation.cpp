@@ -58,6 +58,11 @@ class NameSearch {
   explicit NameSearch(const CheckedDocument& document) : document_(document) {
     for (const std::uint32_t file : structuredTextsOf(document)) {
       LexedFile text{file, tokensOf(document, file), {}};
+      for (IecToken& token : text.tokens) {  // SCL: #level is the variable level
+        if (token.kind != TokenKind::Word || !token.text.starts_with('#')) continue;
+        token.text.remove_prefix(1);
+        ++token.begin;
+      }
       text.blocks = textBlocksOf(text.tokens);
       texts_.push_back(std::move(text));
     }

@@ -115,6 +115,15 @@ std::vector<iec::IecToken> tokensOf(const CheckedDocument& document, std::uint32
 
 std::vector<std::uint32_t> structuredTextsOf(const CheckedDocument& document) {
   std::vector<std::uint32_t> files;
+  if (isSclText(document)) {
+    files.push_back(document.file());
+    for (const Pou& pou : document.program().pous) {
+      const bool isScl = std::ranges::any_of(pou.networks, &Network::isStructured);
+      if (isScl && !pou.isBuiltIn && std::ranges::find(files, pou.span.file) == files.end())
+        files.push_back(pou.span.file);
+    }
+    return files;
+  }
   if (formOf(document.program().target) != StatementForm::Expressions) return files;
   const SourceSet& sources = *document.program().sources;
   for (std::uint32_t file = 0; file < sources.size(); ++file) {

@@ -25,7 +25,7 @@ bool isWord(const IecToken& token, std::string_view word) {
 std::vector<TextBlock> textBlocksOf(const std::vector<IecToken>& tokens) {
   std::vector<TextBlock> blocks;
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
-    for (const std::string_view word : {"PROGRAM", "FUNCTION", "FUNCTION_BLOCK"}) {
+    for (const std::string_view word : {"PROGRAM", "FUNCTION", "FUNCTION_BLOCK", "ORGANIZATION_BLOCK"}) {
       if (!isWord(tokens[i], word)) continue;
       const std::string last = "END_" + std::string(word);
       std::size_t end = i;

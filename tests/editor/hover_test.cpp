@@ -74,6 +74,8 @@ TEST(Hover, LocalsBlocksAndLabelsOfAStep7Source) {
       "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      CALL FB 1 , DB 1 ( n := 3 );\nEND_ORGANIZATION_BLOCK\n");
   const std::string local = session.hover(6, 9);
   EXPECT_NE(local.find("**#n** of FB1, input"), std::string::npos) << local;
+  EXPECT_NE(local.find("This block does not write it."), std::string::npos) << local;
+  EXPECT_NE(local.find("Read by\n\n- FB1 network 1, line 7: `L #n`"), std::string::npos) << local;
   EXPECT_EQ(local.find("DBW"), std::string::npos) << local;
   EXPECT_NE(session.hover(8, 10).find("Label M001"), std::string::npos) << session.hover(8, 10);
   const std::string called = session.hover(18, 12);

@@ -39,5 +39,30 @@ TEST(SclDocument, NoInstructionIsShownThatNobodyWrote) {
   }
 }
 
+// Names mean what their block declares; behind a call its parameters.
+TEST(SclDocument, NamesHavePagesDefinitionsAndUses) {
+  const std::string text =
+      "FUNCTION_BLOCK FB1\nVAR_INPUT\n  go : BOOL;\nEND_VAR\nVAR\n  n : INT;\nEND_VAR\nBEGIN\n"
+      "  IF go THEN #n := n + 1; END_IF;\nEND_FUNCTION_BLOCK\n"
+      "ORGANIZATION_BLOCK OB1\nBEGIN\n  FB1.DB1(go := I4.0);\nEND_ORGANIZATION_BLOCK\n"
+      "DATA_BLOCK DB1 FB1\nBEGIN\nEND_DATA_BLOCK\n";
+  EditorSession session;
+  session.open(text, sclUri);
+  const auto hover = [&](int line, int character) {
+    return textAt(session.ask("textDocument/hover", line, character, sclUri), "contents/value");
+  };
+  EXPECT_EQ(hover(8, 20), "**n** of FB1\n\nVAR : INT\n");
+  EXPECT_EQ(hover(8, 6), "**go** of FB1\n\nVAR_INPUT : BOOL\n");
+  const std::string input = hover(12, 17);
+  EXPECT_NE(input.find("**I4.0**"), std::string::npos) << input;
+  EXPECT_NE(input.find("FB1.DB1(go := I4.0)"), std::string::npos) << input;
+  EXPECT_EQ(rangesOf(session.ask("textDocument/definition", 8, 20, sclUri)), (std::vector<std::string>{"5:2-5:3"}));
+  EXPECT_EQ(rangesOf(session.ask("textDocument/definition", 12, 3, sclUri)), (std::vector<std::string>{"0:15-0:18"}));
+  Json place = session.place(5, 2, sclUri);
+  place["context"] = Json{{"includeDeclaration", false}};
+  EXPECT_EQ(rangesOf(at(session.request("textDocument/references", place), "result")),
+            (std::vector<std::string>{"8:14-8:15", "8:19-8:20"}));
+}
+
 }  // namespace
 }  // namespace rungproof::test
