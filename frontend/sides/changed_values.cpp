@@ -70,6 +70,7 @@ std::string valueAt(const std::map<std::uint32_t, std::uint8_t>& image, std::uin
 
 void addVariables(std::vector<ValueChange>& changes, const Program& before, const Program& after) {
   const auto ofOld = imageOf(before), ofNew = imageOf(after);
+  std::set<std::uint32_t> told;
   for (const Symbol& now : after.symbols) {
     const Symbol* old = before.symbolNamed(now.name);
     if (old == nullptr || now.address.area != Area::V || old->address.area != Area::V ||
@@ -77,7 +78,8 @@ void addVariables(std::vector<ValueChange>& changes, const Program& before, cons
       continue;
     const auto count = static_cast<std::uint32_t>(bytes(now.address.width));
     const std::string was = valueAt(ofOld, old->address.offset, count), is = valueAt(ofNew, now.address.offset, count);
-    if (was != is) changes.push_back({now.name, was, is});
+    // A variable of a program has a second name, with that of the program in front.
+    if (was != is && told.insert(now.address.offset).second) changes.push_back({now.name, was, is});
   }
 }
 
