@@ -48,6 +48,7 @@ struct MemoryModel {
   Area analogInputs;                     ///< whose words are the values at the analog inputs
   std::optional<AddressLimit> (*addressLimit)(const Target&, Area, Width);
   bool (*addressExists)(const Target&, Area, Width, std::uint32_t offset, unsigned bit);
+  std::uint32_t (*gapBehind)(const Target&, Area, std::uint32_t offset);  ///< the first byte of the next one; 0: none
   /// What keeps its value where the project says nothing.
   std::vector<RetentiveRange> (*usuallyRetentive)(const Target&);
   /// What of the program keeps its value, where the CPU is set to keep these ranges.

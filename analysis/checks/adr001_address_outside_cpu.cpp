@@ -55,10 +55,16 @@ void reportAddress(const Facts& facts, FindingSink& sink, const Instruction& ins
   if (operand.area == Area::HC && operand.offset <= limit->lastByte)
     return;  // a gap in the row of fast counters: ADR009
   const bool isBeyond = operand.offset > limit->lastByte;
+  const bool isInGap = !isBeyond && !addressExists(target, operand.area, width, operand.offset, 0) &&
+                       rowEnd(target, operand.area, 0) <= operand.offset + static_cast<std::uint32_t>(bytes(width)) - 1;
   std::string message;
   if (isBeyond) {
     message = fmt::format("{} in {} is outside the {}: the last address for {} is {} ({})", name, text, cpuText(target),
                           widthName(width), addressName(operand.area, width, limit->lastByte, 7), limitText(*limit));
+  } else if (isInGap) {
+    message =
+        fmt::format("{} in {} is outside the {}: the area has a gap behind {} ({})", name, text, cpuText(target),
+                    addressName(operand.area, Width::Byte, rowEnd(target, operand.area, 0) - 1), limitText(*limit));
   } else if (isBit) {
     message = fmt::format("{} in {} has bit number {}; a byte has bits 0 to 7 ({})", name, text, operand.bit,
                           limitText(*limit));
@@ -88,7 +94,7 @@ void reportExtent(const Facts& facts, FindingSink& sink, const Instruction& inst
   for (const Access& access : facts.accesses().of(instruction.id)) {
     if (access.viaPointer || access.count < 2 || access.operand == reported || access.operand == impliedOperand)
       continue;
-    const std::uint32_t size = areaSize(facts.target(), access.area);
+    const std::uint32_t size = rowEnd(facts.target(), access.area, access.offset);
     if (access.offset >= size || access.offset + access.certainLength() <= size) continue;
     const std::string name = accessName(access);
     const std::string last = addressName(access.area, access.byNumber() ? access.width : Width::Byte, size - 1);

@@ -10,7 +10,7 @@ namespace rungproof {
 namespace {
 
 void checkEnd(const Facts& facts, FindingSink& sink, const Instruction& instruction, const Access& access) {
-  const std::uint32_t size = areaSize(facts.target(), access.area);
+  const std::uint32_t size = rowEnd(facts.target(), access.area, access.offset);
   if (access.offset >= size) return;  // ADR001
   const bool isCertain = access.offset + access.certainLength() > size;
   if (!isCertain && access.offset + access.possibleLength() <= size) return;

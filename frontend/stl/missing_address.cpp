@@ -17,6 +17,10 @@ std::optional<std::string> missingFrom(const Target& target, const Operand& oper
   if (operand.offset > limit->lastByte)
     return fmt::format("the CPU {} has no {}: the last one is {}", cpuName(target.cpu), name,
                        addressName(operand.area, width, limit->lastByte, 7));
+  if (operand.offset + static_cast<std::uint32_t>(bytes(width)) > rowEnd(target, operand.area, 0))
+    return fmt::format("the CPU {} has no {}: {} has a gap behind {}", cpuName(target.cpu), name,
+                       areaName(operand.area),
+                       addressName(operand.area, Width::Byte, rowEnd(target, operand.area, 0) - 1, 7));
   if (isBit) return fmt::format("{} has bit number {}; a byte has bits 0 to 7", name, operand.bit);
   return fmt::format("the CPU {} has no {}", cpuName(target.cpu), name);
 }

@@ -83,6 +83,7 @@ constinit const Dialect iecDialect{
                .analogInputs = Area::AI,
                .addressLimit = variableLimit,
                .addressExists = variableExists,
+               .gapBehind = noGapBehind,
                .usuallyRetentive = usuallyRetentiveVariables,
                .retentive = retentiveVariables},
     .run = {.counting = Counting::Instances,

@@ -73,12 +73,12 @@ class Args {
       return m_.save(r.area, r.offset + static_cast<std::uint32_t>(k), Width::Bit, m_.d.fromBool(value, 1));
     m_.saveBit(r.area, r.offset, static_cast<std::uint32_t>(r.bit + k), value);
   }
-  /// How many bits there are from bit operand i to the end of its area.
+  /// How many bits there are from bit operand i to the end of its area, or to a gap in it.
   std::uint32_t bitsLeft(std::size_t i) {
     const Ref<D>& r = placeOf(i);
-    const std::uint32_t size = m_.areaSize(r.area);
-    if (r.offset >= size) return 0;
-    return hasBitAndWord(r.area) ? size - r.offset : (size - r.offset) * 8 - r.bit;
+    const std::uint32_t end = rowEnd(m_.target, r.area, r.offset);
+    if (r.offset >= end) return 0;
+    return hasBitAndWord(r.area) ? end - r.offset : (end - r.offset) * 8 - r.bit;
   }
   /// Element at a computed index 0..limit-1 (width 16).
   Bits elementAt(std::size_t i, Bits index, int limit, Width w) {
@@ -153,8 +153,8 @@ class Args {
   Bits loadText(const Ref<D>& ref, int element, Width w, Bits otherwise);
   std::uint32_t left(Area area, std::uint32_t offset, Width w) const {
     const bool byNumber = hasBitAndWord(area);
-    const std::uint32_t size = m_.areaSize(area);
-    return offset >= size ? 0 : (size - offset) / static_cast<std::uint32_t>(byNumber ? 1 : bytes(w));
+    const std::uint32_t end = rowEnd(m_.target, area, offset);
+    return offset >= end ? 0 : (end - offset) / static_cast<std::uint32_t>(byNumber ? 1 : bytes(w));
   }
   Bits load(Ref<D>& ref, int element, Width w);
   void save(Ref<D>& ref, int element, Width w, Bits value);

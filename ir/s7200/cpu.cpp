@@ -51,7 +51,18 @@ const cpu_tables::LimitRow* limitRow(const Target& target, Area area, Width widt
   return index.cell[LimitIndex::at(edition, target.cpu, area, width)];
 }
 
+/// Between the image of the modules and that of PROFINET.
+bool hasImageGap(const cpu_tables::LimitRow& row, Area area) {
+  return row.last > cpu_tables::localImage && (area == Area::I || area == Area::Q);
+}
+
 }  // namespace
+
+std::uint32_t s7200GapBehind(const Target& target, Area area, std::uint32_t offset) {
+  const cpu_tables::LimitRow* row = limitRow(target, area, Width::Byte);
+  const bool isInFront = row != nullptr && hasImageGap(*row, area) && offset < cpu_tables::localImage;
+  return isInFront ? cpu_tables::localImage : 0;
+}
 
 std::optional<AddressLimit> s7200AddressLimit(const Target& target, Area area, Width width) {
   const cpu_tables::LimitRow* row = limitRow(target, area, width);
@@ -63,9 +74,8 @@ bool s7200AddressExists(const Target& target, Area area, Width width, std::uint3
   const cpu_tables::LimitRow* row = limitRow(target, area, width);
   if (row == nullptr || offset > row->last) return false;
   if (area == Area::HC) return hscExists(target, static_cast<int>(offset));
-  if (row->last > cpu_tables::localImage &&
-      offset + static_cast<std::uint32_t>(bits(width) + 7) / 8 > cpu_tables::localImage &&
-      offset < cpu_tables::networkImage && (area == Area::I || area == Area::Q))
+  if (hasImageGap(*row, area) && offset + static_cast<std::uint32_t>(bits(width) + 7) / 8 > cpu_tables::localImage &&
+      offset < cpu_tables::networkImage)
     return false;
   if (isAnalogue(area)) return offset % 2 == 0;
   return width != Width::Bit || hasBitAndWord(area) || bit <= 7;

@@ -191,5 +191,7 @@ bool timerIsRetentive(int number);
 /// Table 6-2; knows the gaps (HC1/HC2 on 221/222, odd AI/AQ, bytes 32 to 127 of the SMART's images).
 std::optional<AddressLimit> s7200AddressLimit(const Target& target, Area area, Width width);
 bool s7200AddressExists(const Target& target, Area area, Width width, std::uint32_t offset, unsigned bit);
+/// The first byte of a gap behind that address; 0: none.
+std::uint32_t s7200GapBehind(const Target& target, Area area, std::uint32_t offset);
 
 }  // namespace rungproof

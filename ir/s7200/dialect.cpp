@@ -99,6 +99,7 @@ constinit const Dialect s7200Dialect{
                .analogInputs = Area::AI,
                .addressLimit = s7200AddressLimit,
                .addressExists = s7200AddressExists,
+               .gapBehind = s7200GapBehind,
                .usuallyRetentive = usuallyRetentive,
                .retentive = retentive},
     .run = {.counting = Counting::Boxes,

@@ -93,6 +93,7 @@ constexpr MemoryModel memory7 = {.isOfVariables = false,
                                  .analogInputs = Area::PI,
                                  .addressLimit = addressLimit7,
                                  .addressExists = addressExists7,
+                                 .gapBehind = noGapBehind,
                                  .usuallyRetentive = usuallyRetentive7,
                                  .retentive = retentive7};
 
