@@ -16,6 +16,11 @@ bool isRail(const DrawnElement& element) {
   return element.kind == DrawnKind::LeftRail || element.kind == DrawnKind::RightRail;
 }
 
+bool writesAtPins(const DrawnElement& block) {
+  return std::any_of(block.outputs.begin(), block.outputs.end(),
+                     [](const DrawnPin& pin) { return !pin.expression.empty(); });
+}
+
 int rootOf(std::vector<int>& parent, int i) {
   while (parent[static_cast<std::size_t>(i)] != i) {
     int& up = parent[static_cast<std::size_t>(i)];
@@ -42,10 +47,12 @@ void DrawnCircuit::build() {
   consumers_.resize(size);
   cut_.assign(size, false);
   loop_.assign(size, false);
+  loose_.assign(size, false);
   indexElements();
   findCircuits();
   connect();
   cutLoops();
+  findLoose();
   results_ = orderedResults(true);
 }
 
@@ -206,6 +213,39 @@ void DrawnCircuit::cutLoops() {
   }
 }
 
+/// Of boxes that nobody needs and that feed each other the last ones: they ask for those in front of them.
+void DrawnCircuit::findLoose() {
+  std::vector<bool> isAsked(network_.elements.size(), false);
+  std::vector<int> open;
+  const auto askFeeders = [&](int i) {
+    for (const int feeder : feedersOf(i)) {
+      if (isAsked[static_cast<std::size_t>(feeder)]) continue;
+      isAsked[static_cast<std::size_t>(feeder)] = true;
+      open.push_back(feeder);
+    }
+  };
+  const auto follow = [&](int i) {
+    askFeeders(i);
+    while (!open.empty()) {
+      const int at = open.back();
+      open.pop_back();
+      askFeeders(at);
+    }
+  };
+  const auto isBox = [&](int i) {
+    return element(i).kind == DrawnKind::Block && !hasMemory_[static_cast<std::size_t>(i)];
+  };
+  for (int i = 0; i < count(); ++i) {
+    if (isResult(i) && !(isBox(i) && !writesAtPins(element(i)))) follow(i);
+  }
+  std::vector<int> unneeded;
+  for (int i = 0; i < count(); ++i) {
+    if (isBox(i) && !isAsked[static_cast<std::size_t>(i)] && !writesAtPins(element(i))) unneeded.push_back(i);
+  }
+  for (const int i : unneeded) follow(i);
+  for (const int i : unneeded) loose_[static_cast<std::size_t>(i)] = !isAsked[static_cast<std::size_t>(i)];
+}
+
 bool DrawnCircuit::isResult(int i) const {
   const DrawnElement& e = element(i);
   switch (e.kind) {
@@ -217,11 +257,9 @@ bool DrawnCircuit::isResult(int i) const {
     case DrawnKind::InOutVariable:
       return std::any_of(e.inputs.begin(), e.inputs.end(), [](const DrawnPin& pin) { return !pin.links.empty(); });
     case DrawnKind::Connector: return isCut(i);
-    case DrawnKind::Block: {
-      const bool writes =
-          std::any_of(e.outputs.begin(), e.outputs.end(), [](const DrawnPin& pin) { return !pin.expression.empty(); });
-      return writes || hasMemory_[static_cast<std::size_t>(i)];
-    }
+    case DrawnKind::Block:
+      return writesAtPins(e) || hasMemory_[static_cast<std::size_t>(i)] || isLoose(i) ||
+             (variablesKeep_ && e.order > 0);
     default: return false;
   }
 }

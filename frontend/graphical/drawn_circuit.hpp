@@ -20,8 +20,8 @@ class DrawnCircuit {
   static constexpr int nothing = -1;
 
   /// `isFunctionBlock(element)`: a block with memory. `variablesKeep`: a variable that is read and written cuts a loop
-  /// that no such block cuts. Reports ids used twice, lines that come from nowhere, connectors without partner, and
-  /// loops that nothing cuts.
+  /// that no such block cuts, and a block whose order is stated is a result of its own. Reports ids used twice, lines
+  /// that come from nowhere, connectors without partner, and loops that nothing cuts.
   template <class Predicate>
   DrawnCircuit(const DrawnNetwork& network, DrawnSink& sink, Predicate&& isFunctionBlock, bool variablesKeep = false)
       : network_(network), sink_(sink), variablesKeep_(variablesKeep) {
@@ -42,6 +42,8 @@ class DrawnCircuit {
   bool isCut(int i) const { return cut_[static_cast<std::size_t>(i)]; }
   /// Part of a loop that nothing cuts (reported).
   bool isInLoop(int i) const { return loop_[static_cast<std::size_t>(i)]; }
+  /// A block without memory that no result needs: it is called for what it does.
+  bool isLoose(int i) const { return loose_[static_cast<std::size_t>(i)]; }
   /// Elements with a line from this output, in the order of the file; `pin` empty: from any output.
   struct Consumer {
     int element;
@@ -67,6 +69,7 @@ class DrawnCircuit {
   void connect();
   void findCircuits();
   void cutLoops();
+  void findLoose();
   std::vector<std::vector<int>> loops() const;
   std::vector<int> feedersOf(int i) const;
   std::vector<int> orderedResults(bool byStatedOrder) const;
@@ -81,7 +84,7 @@ class DrawnCircuit {
   std::unordered_map<std::string, int> connectors_;  ///< by name
   std::vector<std::vector<Consumer>> consumers_;
   std::vector<int> circuit_;
-  std::vector<bool> cut_, loop_, damaged_;
+  std::vector<bool> cut_, loop_, loose_, damaged_;
   std::vector<int> results_;
 };
 

@@ -340,7 +340,13 @@ DrawnValue DrawnLowering::outputOf(int i, std::string_view pin, const DrawnEleme
   const State& state = states_[static_cast<std::size_t>(i)];
   const std::string name = foldedName(pin);
   for (const auto& [output, value] : state.outputs) {
-    if (output == name || (name.empty() && output != "ENO")) return value;
+    if (output != name && (!name.empty() || output == "ENO")) continue;
+    DrawnValue taken = value;
+    // Of the other outputs the values are negated already; ENO stays as what the block is enabled by.
+    const auto isNegatedEnable = [](const DrawnPin& out) { return out.negated && foldedName(out.name) == "ENO"; };
+    const bool isNegated = output == "ENO" && std::any_of(e.outputs.begin(), e.outputs.end(), isNegatedEnable);
+    if (isNegated) taken.wire = inverted(taken.wire);
+    return taken;
   }
   if (!state.outputs.empty() && name.empty()) return state.outputs.front().second;
   sink_.circuit(asker,
@@ -434,6 +440,11 @@ void DrawnLowering::outVariable(int i, const DrawnElement& e) {
   if (!place) return;
   if (e.negated && value.isPower()) value.wire = inverted(value.wire);
   if (e.negated && value.isData()) return sink_.negation(e, "the negation stands on a value that is not Boolean");
+  if (e.storage != DrawnStorage::None) {
+    const bool isBit = value.isPower() && place->type == IecType::Bool && !place->constant && place->copy == nullptr;
+    if (!isBit) return sink_.operand(e, "S and R of a variable need a BOOL");
+    return coil(e.storage == DrawnStorage::Set ? "S" : "R", {place->operand, constant(1)}, value.wire);
+  }
   Wire enable = rail();
   // A number computed under EN is passed on under the same EN.
   if (value.isData() && e.inputs[0].links.size() == 1) {

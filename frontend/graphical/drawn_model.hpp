@@ -74,8 +74,10 @@ struct DrawnElement {
   DrawnStorage storage = DrawnStorage::None;
   std::vector<DrawnPin> inputs;
   std::vector<DrawnPin> outputs;  ///< negation only; their links are at the other end, or an expression is written to
-  bool readsOnce = false;         ///< an input whose value later readers share
-  int order = 0;                  ///< order of execution where the editor states it, from 1
+  std::string code;               ///< statements in structured text that stand in a box
+  Span codeSpan;
+  bool readsOnce = false;  ///< an input whose value later readers share
+  int order = 0;           ///< order of execution where the editor states it, from 1
   double x = 0, y = 0;
   Span span;
 };

@@ -20,6 +20,7 @@ class ContractFinder {
       block_ = &block;
       findInstances();
       if (instances_.empty()) continue;
+      findResults();
       eachStatementOf(block, [&](const Statement& one, const Statements&, std::size_t) { visit(one); });
     }
     std::vector<BlockSyntax> made;
@@ -58,6 +59,17 @@ class ContractFinder {
     for (const VariableSyntax& variable : block_->variables) add(variable);
   }
 
+  /// What a box of a drawing gives has the type of a variable that takes it.
+  void findResults() {
+    results_.clear();
+    eachStatementOf(*block_, [&](const Statement& one, const Statements&, std::size_t) {
+      const bool isTaken = one.kind == StatementKind::Assign && one.value->kind == ExprKind::Path &&
+                           one.value->parts.size() == 1 && one.value->parts[0].name.starts_with(resultPrefix);
+      if (!isTaken) return;
+      if (const TypePtr type = typeOf(*one.target)) results_.emplace(one.value->parts[0].name, type);
+    });
+  }
+
   static TypePtr named(std::string_view name, Span span) {
     auto made = std::make_shared<TypeSyntax>();
     made->name = name;
@@ -84,6 +96,7 @@ class ContractFinder {
     for (const PathPart& part : expr.parts) {
       if (part.kind != PathPart::Kind::Name) return nullptr;
     }
+    if (const auto result = results_.find(expr.parts[0].name); result != results_.end()) return result->second;
     const VariableSyntax* variable = variableNamed(*block_, expr.parts[0].name);
     if (variable == nullptr || expr.parts.size() == 1) return variable != nullptr ? variable->type : nullptr;
     const auto block = known_.find(foldedName(variable->type->name));
@@ -214,6 +227,7 @@ class ContractFinder {
   std::set<std::string> types_;
   std::map<std::string, Contract> contracts_;  ///< by the name of the block
   const BlockSyntax* block_ = nullptr;
+  std::map<std::string, TypePtr> results_;      ///< of the block at hand: by variables of results
   std::map<std::string, Contract*> instances_;  ///< that the block at hand may name
 };
 

@@ -70,10 +70,14 @@ WrittenNames::WrittenNames(const DrawnCircuit& circuit) : circuit_(&circuit) {
 
 void WrittenNames::note(int result) {
   const DrawnElement& e = circuit_->element(result);
-  if (e.kind != DrawnKind::Coil && e.kind != DrawnKind::OutVariable && e.kind != DrawnKind::InOutVariable) return;
+  const bool isBlock = e.kind == DrawnKind::Block;
+  const bool writes =
+      e.kind == DrawnKind::Coil || e.kind == DrawnKind::OutVariable || e.kind == DrawnKind::InOutVariable || isBlock;
+  if (!writes) return;
   const int circuit = circuit_->circuitOf(result);
   std::set<std::string> names;
-  addNames(e.text, names);
+  if (!isBlock) addNames(e.text, names);
+  for (const DrawnPin& pin : e.outputs) addNames(pin.expression, names);
   for (const std::string& name : names) {
     if (unwritten_.erase({circuit, name}) > 0) written_[circuit].push_back(name);
   }

@@ -70,4 +70,24 @@ void Lowering::assignWhereEnabled(Scope& scope, const Reference& target, const E
   label(end);
 }
 
+/// Of texts, which are empty by the other reading. What an array or a structure is by it is not modelled.
+void Lowering::assignWholeWhereEnabled(Scope& scope, const Reference& target, const Expr& value) {
+  const Argument* enable = enableOf(value);
+  if (enable == nullptr) return assignWhole(scope, target, value);
+  if (target.type->kind != Kind::Text || !target.indices.empty())
+    refuse(enable->span, fmt::format("EN of a function that gives {} is not modelled", target.type->name),
+           Syntax::IecNotModelled);
+  const int skip = newLabel(), end = newLabel();
+  valueAs(scope, *enable->value, *elementaryType("BOOL"));
+  jumpIfFalse(skip);
+  assignWhole(scope, target, value);
+  jump(end);
+  label(skip);
+  emit("READING", {static_cast<std::int64_t>(Choice::IecEnFalseResult), 1});
+  jumpIfFalse(end);
+  constant(0, 8);
+  store(*elementaryType("USINT"), target.offset);
+  label(end);
+}
+
 }  // namespace rungproof::iec

@@ -78,6 +78,8 @@ Reference Lowering::reference(Scope& scope, const Expr& path, bool mayBeMissing)
       if (variable != nullptr) next = 2;
     }
     if (variable == nullptr) {
+      if (first.name.starts_with(resultPrefix))
+        throw Refused{};  // of a box that could not be read, which is told there
       if (mayBeMissing) return at;
       refuse(first.span, fmt::format("there is no variable {}", excerpt(first.name)), Syntax::IecName);
     }
@@ -147,6 +149,11 @@ void Lowering::step(Reference& at, const PathPart& part, const Expr& path) {
       refuse(part.span, fmt::format("block {} has no variable {}", at.instance->block->name, excerpt(part.name)),
              Syntax::IecName);
     const Variable& variable = member->second;
+    if (variable.declared != nullptr && variable.declared->section == Section::InOut)
+      refuse(part.span,
+             fmt::format("{} is an IN_OUT of {}: what it stands for is known in calls only; name that variable",
+                         excerpt(part.name), at.instance->block->name),
+             Syntax::IecNotModelled);
     if (!variable.elements.empty()) refuse(path.span, "an instance in an array of another block is not modelled");
     at.owner = at.instance;
     at.type = variable.type;

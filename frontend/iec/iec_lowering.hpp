@@ -204,6 +204,7 @@ class Lowering {
   void statements(Scope& scope, const Statements& list);
   void statement(Scope& scope, const Statement& statement);
   void assign(Scope& scope, const Statement& statement);
+  void declareResult(Scope& scope, const Expr& path, const std::function<const Type*()>& type);
   void assignWhole(Scope& scope, const Reference& target, const Expr& value);
   void jumpStatement(Scope& scope, const Statement& statement);
   int labelNamed(Scope& scope, const Expr& name);
@@ -228,6 +229,7 @@ class Lowering {
   void tellEnabled(Scope& scope, const std::string& name, const Expr& expr);
   void writeEnabled(Scope& scope, const Argument& argument, const std::function<void()>& push);
   const Argument* enableOf(const Expr& expr);
+  void assignWholeWhereEnabled(Scope& scope, const Reference& target, const Expr& value);
   void assignWhereEnabled(Scope& scope, const Reference& target, const Expr& call, const Argument& enable);
 
   // iec_faults.cpp
@@ -402,6 +404,8 @@ class Lowering {
   bool isDrawn_ = false;
 };
 
+/// Variables of a drawing whose type is that of what is written to them first.
+inline constexpr std::string_view resultPrefix = "__result_";
 /// What another maker calls an input of a block of the library, in capitals: RESET of a CTU is its R. The same name: he
 /// has none of his own.
 std::string libraryInput(const std::string& block, const std::string& folded);

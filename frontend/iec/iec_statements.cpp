@@ -110,6 +110,11 @@ bool givesOtherPreset(const Statements& body, const Expr& call, const Expr& pres
 
 void Lowering::assign(Scope& scope, const Statement& s) {
   if (s.target->kind != ExprKind::Path) refuse(s.target->span, "this is no variable");
+  declareResult(scope, *s.target, [&] {
+    const Type* own = typeOf(scope, *s.value);
+    const Type* wanted = own == nullptr && s.last != nullptr ? typeOf(scope, *s.last) : own;
+    return wanted != nullptr ? wanted : elementaryType("DINT");
+  });
   const Reference target = reference(scope, *s.target);
   if (target.constant || (target.declared != nullptr && target.declared->isConstant))
     refuse(s.target->span, fmt::format("{} is a constant", excerpt(s.target->parts[0].name)));
@@ -117,7 +122,7 @@ void Lowering::assign(Scope& scope, const Statement& s) {
   if (target.owner != nullptr && target.owner->block->name == "__STEP" && target.owner->block->isLibrary &&
       (scope.action == nullptr || !scope.action->isChart))
     refuse(s.target->span, fmt::format("{} is a step: only its chart writes it", excerpt(s.target->parts[0].name)));
-  if (!target.type->isValue()) return assignWhole(scope, target, *s.value);
+  if (!target.type->isValue()) return assignWholeWhereEnabled(scope, target, *s.value);
   if (target.owner != nullptr && target.owner->block->isLibrary && scope.self != target.owner &&
       target.declared != nullptr && foldedName(target.declared->name) == "PT") {
     const auto preset = types_.integer(*s.value);
@@ -134,6 +139,20 @@ void Lowering::assign(Scope& scope, const Statement& s) {
   writeReference(scope, target);
   if (isDrawn_)
     shown_.push_back({s.target->span.offset, {}, true, static_cast<std::uint32_t>(network_->instructions.size() - 1)});
+}
+
+/// The variable for what a box of a drawing gives, where its first value is written.
+void Lowering::declareResult(Scope& scope, const Expr& path, const std::function<const Type*()>& type) {
+  const std::string& name = path.parts[0].name;
+  if (path.parts.size() != 1 || !name.starts_with(resultPrefix)) return;
+  const std::string folded = foldedName(name);
+  if (scope.self->names.contains(folded)) return;
+  Variable made;
+  made.type = type();
+  if (made.type->kind == Kind::Block || made.type->kind == Kind::Unsupported)
+    refuse(path.span, fmt::format("values of type {} are not modelled", made.type->name), Syntax::IecNotModelled);
+  made.offset = allocate(made.type->bytes);
+  scope.self->names.emplace(folded, made);
 }
 
 /// Arrays, structures and texts: of a variable, or what a function gives.
@@ -525,6 +544,7 @@ void Lowering::readOutputs(Scope& scope, BlockInstance& instance, const Expr& ca
       refuse(argument.span, fmt::format("block {} has no output {}", instance.block->name, excerpt(argument.name)),
              Syntax::IecName);
     if (argument.value->kind != ExprKind::Path) refuse(argument.span, "an output needs a variable");
+    declareResult(scope, *argument.value, [&] { return found->second.type; });
     const Reference target = reference(scope, *argument.value);
     Reference source;
     source.type = found->second.type;

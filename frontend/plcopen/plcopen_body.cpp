@@ -43,7 +43,7 @@ constexpr XmlShape bodyShapes[] = {
     {"inVariable",
      "localId globalId height:d width:d executionOrderId:n negated:b edge:none|rising|falling storage:none",
      "position connectionPointOut expression documentation addData"},
-    {"outVariable", "localId globalId height:d width:d executionOrderId:n negated:b edge:none storage:none",
+    {"outVariable", "localId globalId height:d width:d executionOrderId:n negated:b edge:none storage:none|set|reset",
      "position connectionPointIn expression documentation addData"},
     {"inOutVariable",
      "localId globalId height:d width:d executionOrderId:n negatedIn:b edgeIn:none|rising|falling storageIn:none "
@@ -138,6 +138,13 @@ class BodyReader {
   void readBlock(const pugi::xml_node& node, DrawnElement& e) {
     e.text = node.attribute("typeName").value();
     e.instance = node.attribute("instanceName").value();
+    // CODESYS: the text of an EXECUTE box.
+    for (const pugi::xml_node& data : childNamed(node, "addData").children()) {
+      const pugi::xml_node code = childNamed(data, "STCode");
+      if (!code) continue;
+      e.code = code.child_value();
+      e.codeSpan = xml_.span(part_, code);
+    }
     for (const std::string_view list : {"inputVariables", "inOutVariables"}) {
       for (const pugi::xml_node& variable : childNamed(node, list).children()) {
         if (localName(variable) != "variable") continue;
@@ -211,7 +218,18 @@ class BodyReader {
 
 }  // namespace
 
-std::vector<ShapeFault> plcopenFaults(const pugi::xml_node& body) { return faultsOf(body, bodyShapes); }
+std::vector<ShapeFault> plcopenFaults(const pugi::xml_node& body) {
+  std::vector<ShapeFault> faults = faultsOf(body, bodyShapes);
+  for (const pugi::xml_node& node : body.children()) {
+    if (localName(node) != "vendorElement") continue;
+    for (const pugi::xml_node& data : childNamed(node, "addData").children()) {
+      const std::string type(trimmed(childNamed(data, "ElementType").child_value()));
+      if (!type.empty() && type != "networktitle")
+        faults.push_back({node, fmt::format("an element of type {} is not modelled", excerpt(type))});
+    }
+  }
+  return faults;
+}
 
 DrawnNetwork readPlcopenBody(const XmlText& xml, const XmlText::Part& part, const pugi::xml_node& body,
                              std::string_view text) {
