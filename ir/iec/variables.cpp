@@ -32,12 +32,14 @@ ProgramOutputs::ProgramOutputs(const Program& program) : program_(program) {
     if (block.kind != iec::BlockKind::Program) continue;
     for (const iec::VariableSyntax& variable : block.variables) {
       if (!goesOut(variable)) continue;
-      names_.insert(iec::foldedName(variable.name));
-      names_.insert(iec::foldedName(block.name + "." + variable.name));
+      // Each variable of a program has a symbol with the program in front; the bare name may be that of a program too.
+      bool isRun = false;
       for (const iec::InstanceSyntax& instance : program.syntax->instances) {
-        if (iec::foldedName(instance.type) == iec::foldedName(block.name))
-          names_.insert(iec::foldedName(instance.name + "." + variable.name));
+        if (iec::foldedName(instance.type) != iec::foldedName(block.name)) continue;
+        isRun = true;
+        names_.insert(iec::foldedName(instance.name + "." + variable.name));
       }
+      if (!isRun) names_.insert(iec::foldedName(block.name + "." + variable.name));
     }
   }
   for (const iec::VariableSyntax& variable : program.syntax->globals) {

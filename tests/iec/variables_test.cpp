@@ -46,6 +46,20 @@ TEST(VariablesByPlace, OutputsOfABlockAreNotThoseOfTheProgram) {
   EXPECT_FALSE(outputs.contains(placeOf(program, "First.Runs")));
 }
 
+// The program has the name of its output: its other variables are no parts of that.
+TEST(VariablesByPlace, AProgramMayBeNamedLikeItsOutput) {
+  const std::string body =
+      "PROGRAM Pump\nVAR_INPUT Go : BOOL; END_VAR\nVAR_OUTPUT pump : BOOL; END_VAR\n"
+      "VAR Kept : BOOL; END_VAR\nKept := Go; pump := Kept;\nEND_PROGRAM\n";
+  const std::string run = "CONFIGURATION c RESOURCE r ON PLC PROGRAM pump : Pump; END_RESOURCE END_CONFIGURATION\n";
+  for (const std::string& text : {body, body + run}) {
+    const Program program = readIecText(text);
+    const Operands outputs = outputVariables(program);
+    ASSERT_EQ(outputs.size(), 1U);
+    EXPECT_EQ(outputs[0].offset, placeOf(program, "pump").offset);
+  }
+}
+
 TEST(VariablesByPlace, AnAddressIsANameWithItsSignOrWithout) {
   const Program program = readIecText("PROGRAM P\nVAR Valve AT %QX0.1 : BOOL; END_VAR\nValve := TRUE;\nEND_PROGRAM\n");
   const OperandLookup lookup = lookupIn(program);
