@@ -12,6 +12,7 @@
 #include "frontend/property/property_message.hpp"
 #include "frontend/property/property_types.hpp"
 #include "frontend/stl/operand_reader.hpp"
+#include "ir/iec/syntax.hpp"
 #include "ir/s7300/declarations.hpp"
 
 namespace rungproof {
@@ -74,7 +75,13 @@ std::string meantName(const Program& program, std::string_view written, const Op
   if (!spelled.empty() && (!spelled.starts_with('"') || lookup(spelled))) return spelled;
   if (const std::string mended = withDigits(written, lookup); !mended.empty()) return mended;
   std::vector<std::string_view> names;
-  for (const Symbol& symbol : program.symbols) names.emplace_back(symbol.name);
+  const std::string folded = iec::foldedName(written);
+  for (const Symbol& symbol : program.symbols) {
+    // Where several programs have a variable of that name, it is named with its program.
+    const std::size_t dot = symbol.name.find('.');
+    if (dot != std::string::npos && iec::foldedName(symbol.name.substr(dot + 1)) == folded) return symbol.name;
+    names.emplace_back(symbol.name);
+  }
   const bool isQuoted = written.size() > 1 && written.front() == '"' && written.back() == '"';
   const std::string_view name = closest(isQuoted ? written.substr(1, written.size() - 2) : written, names);
   if (!name.empty()) return isQuoted ? fmt::format("\"{}\"", name) : std::string(name);

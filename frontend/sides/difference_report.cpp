@@ -200,7 +200,8 @@ void DifferenceReport::describe(Comparison& comparison, const std::string& form,
   const bool hasVariables = isOldOfVariables || dialectOf(sides_.runAfter->target).memory.isOfVariables;
   if (hasVariables && !before.empty() && !after.empty() && !table.rows.empty()) {
     comparison.signal = (isOldOfVariables ? before : after).front().name;  // the variable, not its bit
-    comparison.expected = table.rows.back().values[common.size()].value_or(0);
+    const auto then = table.rows.end() - 1 - std::min<std::ptrdiff_t>(options_.latency, std::ssize(table.rows) - 1);
+    comparison.expected = then->values[common.size()].value_or(0);
     comparison.actual = table.rows.back().values[common.size() + before.size()].value_or(0);
   }
   if (const std::string change = lastChange(table, common.size()); !change.empty()) comparison.notes.push_back(change);

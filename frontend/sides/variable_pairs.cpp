@@ -85,6 +85,14 @@ class VariablePairs {
   void make() {
     const bool asksNothing = sides_.observed.empty();
     for (const NamedValue& value : old_.values()) {
+      const bool isAsked = std::ranges::any_of(
+          sides_.observed, [&](const Operand& operand) { return addressOf(operand) == addressOf(value.place); });
+      if (isAsked && old_.isInput(value))
+        failures_.push_back({fmt::format("--observe: {} is an input: it has any value in both programs", value.name),
+                             {},
+                             "name outputs or variables that the program writes"});
+    }
+    for (const NamedValue& value : old_.values()) {
       if (const Operand* partner = new_.like(value))
         sides_.pairs.add(addressOf(value.place), addressOf(*partner), extentOf(value.place));
       if (extentOf(value.place) > 1) sides_.pairs.compareAsOne({addressOf(value.place), extentOf(value.place)});

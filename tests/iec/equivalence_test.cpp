@@ -69,6 +69,36 @@ TEST(IecEquivalence, InputsAreTheirNames) {
   EXPECT_EQ(paired.exit, 0) << paired.text;
 }
 
+// OLD gives a with a delay of one scan, NEW at once: with a latency of 1 NEW's value is compared with that of OLD one
+// scan ago, which is the value of a two scans ago.
+TEST(IecEquivalence, ADifferenceShowsTheValuesThatWereCompared) {
+  const IecOutput late =
+      compared("equiv",
+               "PROGRAM main\nVAR_INPUT a : BOOL; END_VAR\nVAR_OUTPUT q : BOOL; END_VAR\nVAR m : BOOL; END_VAR\n"
+               "q := m; m := a;\nEND_PROGRAM\n",
+               "PROGRAM main\nVAR_INPUT a : BOOL; END_VAR\nVAR_OUTPUT q : BOOL; END_VAR\nq := a;\nEND_PROGRAM\n",
+               {"--latency", "1"});
+  EXPECT_EQ(late.exit, 1);
+  EXPECT_TRUE(late.has("q: OLD 0, NEW 1") || late.has("q: OLD 1, NEW 0")) << late.text;
+}
+
+TEST(IecEquivalence, AnInputIsNotCompared) {
+  const std::string text =
+      "PROGRAM main\nVAR_INPUT a : BOOL; END_VAR\nVAR_OUTPUT q : BOOL; END_VAR\nq := a;\nEND_PROGRAM\n";
+  const IecOutput output = compared("equiv", text, text, {"--observe", "a"});
+  EXPECT_EQ(output.exit, 2);
+  EXPECT_TRUE(output.has("a is an input")) << output.text;
+}
+
+TEST(IecEquivalence, AProgramMayBeNamedLikeItsOutput) {  // m is no output: its negation is seen nowhere else
+  const auto text = [](const std::string& sign) {
+    return "PROGRAM Pump\nVAR_INPUT a : BOOL; END_VAR\nVAR_OUTPUT pump : BOOL; END_VAR\nVAR m : BOOL; END_VAR\n"
+           "m := " +
+           sign + "a; pump := " + sign + "m;\nEND_PROGRAM\n";
+  };
+  EXPECT_EQ(compared("equiv", text(""), text("NOT ")).exit, 0);
+}
+
 TEST(IecEquivalence, OutputsThatOneProgramLacksAreNamed) {
   const IecOutput lost = compared("equiv", press, with(with(tidied, "lamp, motor", "motor"), "lamp := delay.Q;", ""));
   EXPECT_EQ(lost.exit, 2);
