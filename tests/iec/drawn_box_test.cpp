@@ -182,9 +182,9 @@ TEST(DrawnBox, PowerFlowIsAskedOnce) {
 TEST(DrawnBox, TheStatedOrderHoldsForBoxesToo) {
   const std::string text = drawingText(
       "FBD",
-      inElement(1, "z") + inElement(2, "1") +
+      inElement(1, "z", "", 10, 100) + inElement(2, "1", "", 10, 110) +
           blockElement(3, "ADD", "", {{"IN1", {"1"}}, {"IN2", {"2"}}}, {"OUT"}, 50, 100, "executionOrderId=\"1\"") +
-          inElement(4, "5") + outElement(5, {"4"}, "z", "executionOrderId=\"2\"", 90, 10) +
+          inElement(4, "5", "", 10, 10) + outElement(5, {"4"}, "z", "executionOrderId=\"2\"", 90, 10) +
           outElement(6, {"3.OUT"}, "zz", "executionOrderId=\"3\"", 90, 100));
   EXPECT_EQ(verdictIn(text, "first_scan implies zz = 1", {"--choice", "iec-fbd-order=execution-id"}), "PROVED");
   EXPECT_EQ(verdictIn(text, "zz = 6", {"--choice", "iec-fbd-order=position"}), "PROVED");
