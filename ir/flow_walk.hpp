@@ -16,6 +16,7 @@
 #include <set>
 #include <utility>
 
+#include "ir/family.hpp"
 #include "ir/flow.hpp"
 #include "ir/hazard.hpp"
 

@@ -1,7 +1,7 @@
 // Values of pointers as places.
 #include "analysis/encoding/pointer_targets.hpp"
 
-#include "analysis/encoding/pointer_values.hpp"
+#include "analysis/encoding/assumed.hpp"
 #include "ir/s7300/place.hpp"
 
 namespace rungproof {

@@ -5,7 +5,6 @@
 
 #include "analysis/encoding/pointer_walk.hpp"
 #include "analysis/graph/evaluate.hpp"
-#include "analysis/graph/substitution.hpp"
 
 namespace rungproof {
 
@@ -44,56 +43,6 @@ std::vector<Node> variablesOf(const Graph& graph, Node root) {
     if (graph[n].op == Op::Variable) result.push_back(n);
   }
   return result;
-}
-
-namespace {
-
-/// Which of the roots have one of some nodes below them.
-std::vector<bool> haveBelow(const Graph& graph, const std::vector<Node>& roots,
-                            const std::unordered_map<std::uint32_t, Node>& nodes) {
-  std::unordered_map<std::uint32_t, bool> known;
-  for (const Node n : coneOf(graph, roots)) {
-    bool has = false;
-    for (const Node child : graph[n].child)
-      has = has || (child != noNode && (nodes.contains(indexOf(child)) || known.at(indexOf(child))));
-    known.emplace(indexOf(n), has);
-  }
-  std::vector<bool> result;
-  for (const Node root : roots) result.push_back(known.at(indexOf(root)));
-  return result;
-}
-
-}  // namespace
-
-Assumed assuming(Graph& graph, Node node, Node guard) {
-  std::vector<Node> parts, open{guard};
-  while (!open.empty()) {
-    const Node n = open.back();
-    open.pop_back();
-    if (graph[n].op == Op::And && graph[n].width == 1)
-      open.insert(open.end(), {graph[n].child[0], graph[n].child[1]});
-    else if (graph[n].op != Op::Constant)
-      parts.push_back(n);
-  }
-  std::unordered_map<std::uint32_t, Node> truths;
-  std::vector<Node> bases;
-  for (const Node part : parts) {
-    const bool isNegated = graph[part].op == Op::Not;
-    bases.push_back(isNegated ? graph[part].child[0] : part);
-    truths[indexOf(bases.back())] = graph.constantNode(isNegated ? 0 : 1, 1);
-  }
-  const std::vector<bool> isChanged = haveBelow(graph, bases, truths);
-  Node together = graph.constantNode(1, 1);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    Node part = parts[i];
-    if (isChanged[i]) {
-      std::unordered_map<std::uint32_t, Node> others = truths;
-      others.erase(indexOf(bases[i]));
-      part = Substitution(graph, std::move(others))(part);
-    }
-    together = graph.make(Op::And, 1, together, part);
-  }
-  return {Substitution(graph, std::move(truths))(node), together};
 }
 
 ValueEvaluator::ValueEvaluator(const Graph& graph, const VariableValues& known) : graph_(graph), variables_(known) {

@@ -97,13 +97,6 @@ void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCe
                  VariableValues& later, const std::function<void()>& interruption = {},
                  std::map<Node, Walk>* walks = nullptr);
 
-/// A node and the condition under which it is asked for, simplified by each other: what the parts of the condition
-/// choose between is chosen, in the node and in the other parts. Adds nodes to the graph.
-struct Assumed {
-  Node node, guard;
-};
-Assumed assuming(Graph& graph, Node node, Node guard);
-
 /// The variables that a node depends on.
 std::vector<Node> variablesOf(const Graph& graph, Node root);
 /// Those that it is made of: what only decides between values is left out.

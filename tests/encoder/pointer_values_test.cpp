@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/encoding/assumed.hpp"
 #include "analysis/encoding/encoder.hpp"
 #include "tests/encoder/statements.hpp"
 
@@ -126,6 +127,20 @@ TEST(PointerValues, WhatTheGuardDecidesIsChosenInItsOtherParts) {
   const ValueSet values = ValueEvaluator(g, none).valuesOf(here.node, here.guard, pointerValueLimit);
   ASSERT_TRUE(values.isListed());
   EXPECT_EQ(values.values(), (std::vector<std::uint64_t>{100, 101, 102, 103}));
+}
+
+TEST(PointerValues, WaysThatMeetAgainKeepWhatHeldBeforeTheyParted) {
+  // A jump parts (c and a) from (c and b); behind its target c still holds: c ? 7 : x is 7.
+  Graph g;
+  const Node c = g.variable("c", 1, false), a = g.variable("a", 1, false), b = g.variable("b", 1, false);
+  const Node x = g.variable("x", 16, false);
+  const Node ways = g.make(
+      Op::Not, 1,
+      g.make(Op::And, 1, g.make(Op::Not, 1, g.make(Op::And, 1, c, a)), g.make(Op::Not, 1, g.make(Op::And, 1, c, b))));
+  const Node chosen = g.make(Op::Ite, 16, c, g.constantNode(7, 16), x);
+  EXPECT_EQ(assuming(g, chosen, ways).node, g.constantNode(7, 16));
+  // Either way alone may hold: nothing is known of a.
+  EXPECT_NE(assuming(g, g.make(Op::Ite, 16, a, g.constantNode(7, 16), x), ways).node, g.constantNode(7, 16));
 }
 
 TEST(PointerValues, RingThatTheFirstScanStartsIsResolved) {

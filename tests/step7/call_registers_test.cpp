@@ -130,5 +130,18 @@ TEST(CallRegisters, FullAddressesAsParameters) {
   EXPECT_TRUE(output.has("PROVED  either")) << output.text;
 }
 
+// A block with a timer in its data that is called under a condition: where its statements stand behind a jump, the
+// place of its data is still the one of this call. Without I0.2 nothing of it runs, so the output stays.
+TEST(CallRegisters, ATimerWithinAConditionalCallFindsItsData) {
+  const std::string timed = functionBlock(
+      7, "VAR_INPUT\n  x : BOOL;\nEND_VAR\nVAR_OUTPUT\n  y : BOOL;\nEND_VAR\nVAR\n  tm : SFB 4;\n  n : INT;\nEND_VAR\n",
+      "CALL #tm (IN := #x, PT := T#50MS, Q := #y);L 5;T #n");
+  const std::string program =
+      timed + instanceOf(7, 11) + block(1, "A I 0.2;JCN m1;CALL FB 7, DB 11 (x := I 0.0, y := Q 0.0);m1: NOP 0");
+  const Output output = proofOf("prove stays: not I0.2 and not first_scan implies Q0.0 = prev(Q0.0)\n", program);
+  EXPECT_TRUE(output.has("PROVED  stays")) << output.text;
+  EXPECT_FALSE(output.has("pointer whose targets")) << output.text;
+}
+
 }  // namespace
 }  // namespace rungproof
