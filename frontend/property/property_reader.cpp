@@ -419,17 +419,15 @@ class Parser {
   }
 
   std::uint32_t leaf(Expr& e, const Token& t) {
-    std::string_view text = t.text;
-    const bool asValue = text.size() > 6 && lower(text.substr(text.size() - 6)) == ".value";
-    if (asValue) text.remove_suffix(6);
     Token bare = t;
-    bare.text = text;
+    const bool asValue = t.text.size() > 6 && lower(t.text.substr(t.text.size() - 6)) == ".value";
+    if (asValue) bare.text.remove_suffix(6);
     ExprNode node{.op = ExprOp::Address, .operand = address(bare), .span = t.span};
     if (asValue) meansValue(node.operand);
     const Operand& o = node.operand;
     const bool hasBit = hasBitAndWord(o.area);
     if (asValue && !hasBit)
-      throw Mistake{typeRule, t.span, fmt::format("'{}' has no value beside itself", text),
+      throw Mistake{typeRule, t.span, fmt::format("'{}' has no value beside itself", bare.text),
                     ".value is for timers and counters"};
     if ((hasBit && !asValue) || (!areaInfo(o.area).width && o.width == Width::Bit)) return add(e, std::move(node));
     node.type = o.form == ConstantForm::Real ? ExprType::Real : ExprType::Number;

@@ -26,7 +26,8 @@ const s7300::Structure* structureOf(const Program& program, std::uint32_t number
   return found == program.declarations->dataBlocks.end() ? nullptr : found->second.get();
 }
 
-void addBlock(std::vector<ValueChange>& changes, const Program& before, const Program& after, std::uint32_t number) {
+void addDataBlock(std::vector<ValueChange>& changes, const Program& before, const Program& after,
+                  std::uint32_t number) {
   const DataBlock *old = blockOf(before, number), *now = blockOf(after, number);
   const std::string name = fmt::format("DB{}", number);
   if (old == nullptr || now == nullptr)
@@ -106,7 +107,7 @@ std::vector<ValueChange> changedValues(const Program& before, const Program& aft
   for (const Program* program : {&before, &after}) {
     for (const DataBlock& block : program->dataBlocks) numbers.insert(block.number);
   }
-  for (const std::uint32_t number : numbers) addBlock(changes, before, after, number);
+  for (const std::uint32_t number : numbers) addDataBlock(changes, before, after, number);
   return changes;
 }
 

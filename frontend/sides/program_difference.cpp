@@ -146,7 +146,7 @@ ProgramDifference differenceOf(const Sides& sides, const EquivalenceOptions& giv
     if (pair.before) ofBefore.add(change, *pair.before, difference.equivalence.outputs);
     if (pair.after) ofAfter.add(change, *pair.after, difference.equivalence.outputs);
   }
-  difference.values = changedValues(*sides.runBefore, *sides.runAfter);
+  difference.values = changedValues(sides.before.program, sides.after.program);
   difference.verdicts = changedVerdicts(sides, options.prover);
   if (difference.equivalence.run) {
     difference.first.emplace();
