@@ -73,7 +73,7 @@ TEST(TiaSource, ConstantsOfTagTables) {
       tableOf({{"MaxSpeed", "Int", "1200"}, {"Back", "DInt", "-1"}, {"Ratio", "Real", "2.5"}, {"On", "Bool", "true"}}));
   const test7::Output run =
       test7::run({"sim", folder.path(""), "--scans", "1", "--signals", "MW0,MD2,MD6", "--trace", "-"});
-  EXPECT_TRUE(run.has("1,10,10,1200,-1,1075838976")) << run.text;
+  EXPECT_TRUE(run.has("1,10,10,1200,-1,2.5")) << run.text;
   folder.file("tags.xml", tableOf({{"MaxSpeed", "Int", "fast"}, {"Back", "DInt", "-1"}, {"Ratio", "Real", "2.5"}}));
   const test7::Output wrong = test7::run({"lint", folder.path("")});
   EXPECT_TRUE(wrong.has("constant MaxSpeed has the value fast, which no S7-300/400 has")) << wrong.text;
