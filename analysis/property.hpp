@@ -52,6 +52,7 @@ struct ExprNode {
   std::uint8_t width = 1;  ///< Truth: 1; Real: 32; Number: bits of the signed value
   std::int64_t value = 0;
   Operand operand{};              ///< Address
+  bool isWhole = false;           ///< Address: a whole number beside a REAL too
   std::int64_t milliseconds = 0;  ///< Held
   std::vector<std::uint32_t> args{};
   std::uint32_t cell = noCell;  ///< first monitor cell of a function that looks back

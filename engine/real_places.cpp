@@ -31,59 +31,132 @@ std::optional<DataType> formalType(const Program& program, const Instruction& ca
   return std::nullopt;
 }
 
-bool holdsReal(const s7300::Structure& structure, std::uint32_t byte);
+NumberUse useOfType(DataType type) {
+  if (type == DataType::Real) return NumberUse::Real;
+  return type == DataType::DInt || type == DataType::Time ? NumberUse::Whole : NumberUse::Unknown;
+}
 
-bool holdsReal(const s7300::Type& type, std::uint32_t byte) {
-  if (type.kind == s7300::TypeKind::Real) return byte == 0;
-  if (type.kind == s7300::TypeKind::Struct && type.structure != nullptr) return holdsReal(*type.structure, byte);
-  if (type.kind != s7300::TypeKind::Array || type.element == nullptr) return false;
+NumberUse useOfType(Type type) {
+  return type == Type::Real ? NumberUse::Real : type == Type::DInt ? NumberUse::Whole : NumberUse::Unknown;
+}
+
+NumberUse useOfType(s7300::TypeKind kind) {
+  if (kind == s7300::TypeKind::Real) return NumberUse::Real;
+  const bool isWhole =
+      kind == s7300::TypeKind::DInt || kind == s7300::TypeKind::Time || kind == s7300::TypeKind::TimeOfDay;
+  return isWhole ? NumberUse::Whole : NumberUse::Unknown;
+}
+
+/// What a constant says of the place that it is moved to; 0 is the same number in both, and a pattern says nothing.
+NumberUse useOfConstant(const Operand& constant) {
+  if (constant.form == ConstantForm::Real) return NumberUse::Real;
+  const bool isAmount = constant.form == ConstantForm::Decimal || constant.form == ConstantForm::SignedDecimal ||
+                        constant.form == ConstantForm::Typed;
+  return isAmount && constant.value != 0 ? NumberUse::Whole : NumberUse::Unknown;
+}
+
+NumberUse declaredUse(const s7300::Structure& structure, std::uint32_t byte);
+
+NumberUse declaredUse(const s7300::Type& type, std::uint32_t byte) {
+  if (type.kind == s7300::TypeKind::Struct && type.structure != nullptr) return declaredUse(*type.structure, byte);
+  if (type.kind != s7300::TypeKind::Array) return byte == 0 ? useOfType(type.kind) : NumberUse::Unknown;
+  if (type.element == nullptr) return NumberUse::Unknown;
   std::uint64_t size = s7300::sizeOf(*type.element);
   size += size > 1 ? size % 2 : 0;
-  return size != 0 && holdsReal(*type.element, static_cast<std::uint32_t>(byte % size));
+  return size == 0 ? NumberUse::Unknown : declaredUse(*type.element, static_cast<std::uint32_t>(byte % size));
 }
 
-bool holdsReal(const s7300::Structure& structure, std::uint32_t byte) {
+NumberUse declaredUse(const s7300::Structure& structure, std::uint32_t byte) {
   for (const s7300::Field& field : structure.fields) {
     const bool isInside = byte >= field.byte && byte < field.byte + s7300::sizeOf(field.type);
-    if (isInside && !field.byReference) return holdsReal(field.type, byte - field.byte);
+    if (isInside && !field.byReference) return declaredUse(field.type, byte - field.byte);
   }
-  return false;
+  return NumberUse::Unknown;
 }
 
-bool isDeclaredReal(const Program& program, const Operand& operand) {
-  if (program.declarations == nullptr || operand.area != Area::DB) return false;
-  const auto found = program.declarations->dataBlocks.find(blockOfByte(operand.offset));
-  return found != program.declarations->dataBlocks.end() && holdsReal(*found->second, byteInBlock(operand.offset));
+NumberUse declaredUse(const Program& program, const Operand& operand) {
+  if (program.declarations == nullptr) return NumberUse::Unknown;
+  if (operand.area == Area::DB) {
+    const auto found = program.declarations->dataBlocks.find(blockOfByte(operand.offset));
+    return found == program.declarations->dataBlocks.end() ? NumberUse::Unknown
+                                                           : declaredUse(*found->second, byteInBlock(operand.offset));
+  }
+  const auto symbol = program.declarations->symbolTypes.find({operand.area, operand.offset});
+  return symbol == program.declarations->symbolTypes.end() ? NumberUse::Unknown : useOfType(symbol->second);
 }
 
-/// What stands in an accumulator: a REAL, or what was loaded from there.
+/// What stands in an accumulator, and where it was loaded from.
 struct Held {
   const Operand* from = nullptr;
-  bool isReal = false;
+  NumberUse use = NumberUse::Unknown;
 };
+
+bool isDoubleWord(const Operand& operand) {
+  return operand.kind == OperandKind::Direct && operand.width == Width::DWord;
+}
 
 }  // namespace
 
 RealPlaces::RealPlaces(const Program& program) : program_(program) {
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
-      for (const Instruction& instruction : network.instructions) {
-        for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
-          const Operand& operand = instruction.operands[i];
-          addRow(operand);
-          const bool isListed = i < instruction.desc->operandCount;
-          const bool isTaken = isListed && instruction.desc->operands[i].type == Type::Real;
-          if (isTaken || formalType(program, instruction, i) == DataType::Real) add(operand);
-        }
-      }
+      for (const Instruction& instruction : network.instructions) addInstruction(instruction);
       followAccumulators(network);
     }
   }
+  spread();
 }
 
-void RealPlaces::add(const Operand& operand) {
-  if (operand.kind == OperandKind::Direct && operand.width == Width::DWord)
-    places_.emplace(operand.area, operand.offset);
+void RealPlaces::addInstruction(const Instruction& instruction) {
+  const Desc& desc = *instruction.desc;
+  for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
+    const Operand& operand = instruction.operands[i];
+    addRow(operand);
+    if (i < desc.operandCount) add(operand, useOfType(desc.operands[i].type));
+    if (const auto type = formalType(program_, instruction, i)) add(operand, useOfType(*type));
+  }
+  if (!isMoveOf(desc, Type::DWord) || instruction.operands.size() != 2) return;
+  const Operand &from = instruction.operands[0], &to = instruction.operands[1];
+  if (from.kind == OperandKind::Constant) add(to, useOfConstant(from));
+  copy(from, to);
+}
+
+void RealPlaces::add(const Operand& operand, NumberUse use) {
+  if (!isDoubleWord(operand)) return;
+  if (use == NumberUse::Real) reals_.emplace(operand.area, operand.offset);
+  if (use == NumberUse::Whole) wholes_.emplace(operand.area, operand.offset);
+}
+
+/// Accumulators and local data hold one number here and another there.
+void RealPlaces::copy(const Operand& from, const Operand& to) {
+  const auto isLasting = [](const Operand& operand) {
+    return isDoubleWord(operand) && operand.area != Area::AC && operand.area != Area::L;
+  };
+  if (!isLasting(from) || !isLasting(to)) return;
+  copies_[{from.area, from.offset}].emplace(to.area, to.offset);
+  copies_[{to.area, to.offset}].emplace(from.area, from.offset);
+}
+
+/// What is copied from each other holds the same, where all of them that tell agree.
+void RealPlaces::spread() {
+  std::set<Place> seen;
+  for (const auto& [start, others] : copies_) {
+    if (!seen.insert(start).second) continue;
+    std::vector<Place> group{start};
+    for (std::size_t at = 0; at < group.size(); ++at) {
+      for (const Place& next : copies_.at(group[at])) {
+        if (seen.insert(next).second) group.push_back(next);
+      }
+    }
+    bool isReal = false, isWhole = false;
+    for (const auto& [area, offset] : group) {
+      const NumberUse use = useOf(direct(area, Width::DWord, offset));
+      isReal = isReal || use == NumberUse::Real;
+      isWhole = isWhole || use == NumberUse::Whole;
+    }
+    if (isReal == isWhole) continue;
+    for (const Place& place : group) ofCopies_[place] = isReal ? NumberUse::Real : NumberUse::Whole;
+  }
 }
 
 /// Whether a pointer that a call hands over leads to a row of REAL numbers.
@@ -96,38 +169,49 @@ void RealPlaces::addRow(const Operand& given) {
   rows_.push_back({given.area, first, given.reach->anyCount});
 }
 
-/// Along the statements of a network as they stand: what is loaded and then added, compared or stored as a REAL.
+/// Along the statements of a network as they stand: what is loaded and then added, compared, converted or stored.
 void RealPlaces::followAccumulators(const Network& network) {
   Held first, second;  // ACCU1 and ACCU2
-  const auto takeAsReal = [&](const Held& held) {
-    if (held.from != nullptr) add(*held.from);
+  const auto take = [&](const Held& held, NumberUse use) {
+    if (held.from != nullptr) add(*held.from, use);
+  };
+  const auto takeBoth = [&](NumberUse use) {
+    take(first, use);
+    take(second, use);
   };
   for (const Instruction& instruction : network.instructions) {
     const Operand* operand = instruction.operands.empty() ? nullptr : &instruction.operands[0];
-    switch (const StatementRole role = statementRole(instruction)) {
+    switch (statementRole(instruction)) {
       case StatementRole::Load:
         second = first;
-        first = {operand, operand != nullptr && operand->form == ConstantForm::Real};
+        first = {operand};
+        if (operand != nullptr && operand->kind == OperandKind::Constant) first = {nullptr, useOfConstant(*operand)};
         break;
       case StatementRole::Transfer:
-        if (first.isReal && operand != nullptr) add(*operand);
+        if (operand == nullptr) break;
+        add(*operand, first.use);
+        if (first.from != nullptr) copy(*first.from, *operand);
         break;
       case StatementRole::RealMath:
-        takeAsReal(first);
-        takeAsReal(second);
-        first = {nullptr, true};
+        takeBoth(NumberUse::Real);
+        first = {nullptr, NumberUse::Real};
+        second = {};
+        break;
+      case StatementRole::IntegerMath:
+      case StatementRole::IntegerStep:
+        takeBoth(NumberUse::Whole);
+        first = {nullptr, NumberUse::Whole};
         second = {};
         break;
       case StatementRole::Compare:
       case StatementRole::CompareRealEqual:
-        if (!comparesReals(instruction)) break;
-        takeAsReal(first);
-        takeAsReal(second);
+        takeBoth(comparesReals(instruction) ? NumberUse::Real : NumberUse::Whole);
         break;
       case StatementRole::Other:
-        if (wantsNoNegative(instruction) || givesEitherSign(instruction)) {
-          takeAsReal(first);
-          first = {nullptr, true};
+        if (instruction.desc->control == Control::LabelMark) break;
+        if (const auto step = numberStep(instruction)) {
+          take(first, step->takesReal ? NumberUse::Real : NumberUse::Whole);
+          first = {nullptr, step->givesReal ? NumberUse::Real : NumberUse::Whole};
           break;
         }
         first = second = {};
@@ -137,21 +221,26 @@ void RealPlaces::followAccumulators(const Network& network) {
       case StatementRole::Call:
       case StatementRole::CallByRlo:
       case StatementRole::FromBcd:
-      case StatementRole::IntegerMath:
-      case StatementRole::IntegerStep:
       case StatementRole::MoveAccus: first = second = {}; break;
-      default: static_cast<void>(role); break;
+      default: break;
     }
   }
 }
 
-bool RealPlaces::contains(const Operand& operand) const {
-  if (operand.kind != OperandKind::Direct || operand.width != Width::DWord) return false;
-  if (isDeclaredReal(program_, operand) || places_.contains({operand.area, operand.offset})) return true;
-  return std::ranges::any_of(rows_, [&](const Row& row) {
+NumberUse RealPlaces::useOf(const Operand& operand) const {
+  if (!isDoubleWord(operand)) return NumberUse::Unknown;
+  if (operand.area == Area::HC) return NumberUse::Whole;
+  if (const NumberUse declared = declaredUse(program_, operand); declared != NumberUse::Unknown) return declared;
+  const Place place{operand.area, operand.offset};
+  if (reals_.contains(place)) return NumberUse::Real;
+  const bool isInRow = std::ranges::any_of(rows_, [&](const Row& row) {
     return row.area == operand.area && operand.offset >= row.first && operand.offset < row.first + 4U * row.count &&
            (operand.offset - row.first) % 4 == 0;
   });
+  if (isInRow) return NumberUse::Real;
+  if (wholes_.contains(place)) return NumberUse::Whole;
+  const auto copied = ofCopies_.find(place);
+  return copied == ofCopies_.end() ? NumberUse::Unknown : copied->second;
 }
 
 }  // namespace rungproof

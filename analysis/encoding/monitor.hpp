@@ -150,7 +150,9 @@ class Monitor {
     return asReal(value[n.args[i]], expr.nodes[n.args[i]]);
   }
   Bits asReal(Bits value, const ExprNode& n) {
-    return n.type == ExprType::Real ? value : d.rfromInt(number(value, n, 32));
+    if (n.type == ExprType::Real) return value;
+    if (n.width <= 32) return d.rfromInt(number(value, n, 32));
+    return d.longReal(static_cast<std::uint64_t>(LongRealOperation::FromSigned), number(value, n, 64), 32);
   }
 
   /// LREAL: a number of 64 bits.

@@ -52,7 +52,11 @@ OperandLookup withReals(const Program& program, OperandLookup lookup) {
     std::optional<Operand> found = lookup(text);
     if (!found || found->width != Width::DWord || found->kind != OperandKind::Direct) return found;
     if (reals == nullptr) reals = std::make_shared<const RealPlaces>(program);
-    if (reals->contains(*found)) found->form = ConstantForm::Real;
+    switch (reals->useOf(*found)) {
+      case NumberUse::Real: found->form = ConstantForm::Real; break;
+      case NumberUse::Whole: found->form = ConstantForm::SignedDecimal; break;
+      case NumberUse::Unknown: break;
+    }
     return found;
   };
 }

@@ -432,7 +432,10 @@ class Parser {
     if ((hasBit && !asValue) || (!areaInfo(o.area).width && o.width == Width::Bit)) return add(e, std::move(node));
     node.type = o.form == ConstantForm::Real ? ExprType::Real : ExprType::Number;
     node.width = signedWidth(o);
-    if (target_ == nullptr || !dialectOf(*target_).memory.isOfVariables) node.operand.form = ConstantForm::Decimal;
+    if (target_ == nullptr || !dialectOf(*target_).memory.isOfVariables) {
+      node.isWhole = o.form == ConstantForm::SignedDecimal;
+      node.operand.form = ConstantForm::Decimal;
+    }
     return add(e, std::move(node));
   }
   /// The value of a timer or counter instead of its bit; of an S5 timer the ms that are left.
@@ -505,7 +508,7 @@ class Parser {
       fitConstant(e, right, left, remarks_);
       if (e.nodes[left].type == ExprType::Real || e.nodes[right].type == ExprType::Real)
         needSigns(e, {left, right}, at);
-      asReals(e, left, right);
+      asReals(e, left, right, remarks_);
     }
     return add(e, {.op = op, .args = {left, right}, .span = at});
   }
@@ -513,7 +516,7 @@ class Parser {
     needNumber(e, left, at);
     needNumber(e, right, at);
     needSigns(e, {left, right}, at);
-    asReals(e, left, right);
+    asReals(e, left, right, remarks_);
     return add(e, arithmeticNode(e, op, left, right, at));
   }
   std::uint32_t binary(Expr& e, ExprOp op, std::uint32_t left, std::uint32_t right) {

@@ -17,7 +17,8 @@ namespace rungproof {
 /// Gives the operand that an address or symbol means, or nothing.
 using OperandLookup = std::function<std::optional<Operand>(std::string_view)>;
 
-/// The same lookup, in which double words that the program uses as REAL numbers are marked so (ConstantForm::Real).
+/// The same lookup, in which double words are marked that the program uses as REAL numbers (ConstantForm::Real) or as
+/// whole ones (SignedDecimal).
 OperandLookup withReals(const Program& program, OperandLookup lookup);
 
 /// Reads the directives of `program`, then the files; findings go to program.findings. A file that cannot be

@@ -17,16 +17,19 @@ ExprNode* addressBehind(Expr& expr, std::uint32_t node) {
   return expr.nodes[node].op == ExprOp::Address ? &expr.nodes[node] : nullptr;
 }
 
-/// Double words in the expression become REALs, and what is computed from them. A variable of IEC 61131-3 is what it is
-/// declared as.
-void makeReal(Expr& expr, std::uint32_t node) {
+/// Double words in the expression become REALs, and what is computed from them, unless the program uses them as whole
+/// numbers. A variable of IEC 61131-3 is what it is declared as.
+void makeReal(Expr& expr, std::uint32_t node, std::vector<std::string>& remarks) {
   ExprNode& n = expr.nodes[node];
   if (n.type != ExprType::Number) return;
-  bool isReal = n.op == ExprOp::Address && n.width == 32 && n.operand.form == ConstantForm::Decimal;
+  bool isReal = n.op == ExprOp::Address && n.width == 32 && n.operand.form == ConstantForm::Decimal && !n.isWhole;
+  if (isReal)
+    remarks.push_back(fmt::format("{} is read as a REAL, like the number beside it: the program does not tell its type",
+                                  toString(n.operand)));
   if (n.op == ExprOp::Prev || n.op == ExprOp::Negate || n.op == ExprOp::Add || n.op == ExprOp::Sub ||
       n.op == ExprOp::Mul) {
     for (const std::uint32_t arg : n.args) {
-      makeReal(expr, arg);
+      makeReal(expr, arg, remarks);
       isReal = isReal || expr.nodes[arg].type == ExprType::Real;
     }
   }
@@ -134,10 +137,10 @@ void fitConstant(Expr& expr, std::uint32_t constant, std::uint32_t other, std::v
                   number.value, isDeclared ? "" : "as the S7-200 compares it, ", lowest, highest));
 }
 
-void asReals(Expr& expr, std::uint32_t left, std::uint32_t right) {
+void asReals(Expr& expr, std::uint32_t left, std::uint32_t right, std::vector<std::string>& remarks) {
   if (expr.nodes[left].type != ExprType::Real && expr.nodes[right].type != ExprType::Real) return;
-  makeReal(expr, left);
-  makeReal(expr, right);
+  makeReal(expr, left, remarks);
+  makeReal(expr, right, remarks);
   if (!isLongReal(expr.nodes[left]) && !isLongReal(expr.nodes[right])) return;
   lengthen(expr, left);
   lengthen(expr, right);

@@ -23,8 +23,9 @@ bool comparesTruth(const Expr& expr, ExprOp op, std::uint32_t left, std::uint32_
 /// A constant beside a word, double word or byte, also one a scan ago: 16#FFFF beside a word is its bit pattern, -1. A
 /// number that the other side can never have is remarked upon.
 void fitConstant(Expr& expr, std::uint32_t constant, std::uint32_t other, std::vector<std::string>& remarks);
-/// Beside a REAL, a double word is a REAL as well, and so is what is computed from double words.
-void asReals(Expr& expr, std::uint32_t left, std::uint32_t right);
+/// Beside a REAL, a double word of which the program does not tell what it holds is a REAL as well, and so is what is
+/// computed from it; that is remarked upon.
+void asReals(Expr& expr, std::uint32_t left, std::uint32_t right, std::vector<std::string>& remarks);
 /// The sum, difference or product of two numbers: a number as wide as it may get, REAL or LREAL where one of them is.
 ExprNode arithmeticNode(const Expr& expr, ExprOp op, std::uint32_t left, std::uint32_t right, Span at);
 /// The words of the language.

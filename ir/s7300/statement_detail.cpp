@@ -47,6 +47,21 @@ bool givesEitherSign(const Instruction& instruction) {
   return std::ranges::find(names, instruction.desc->stl) != names.end();
 }
 
+std::optional<NumberStep> numberStep(const Instruction& instruction) {
+  struct Row {
+    std::string_view name;
+    NumberStep step;
+  };
+  constexpr NumberStep toReal{false, true}, toWhole{true, false}, ofReals{true, true}, ofWhole{false, false};
+  static constexpr std::array<Row, 20> rows = {
+      {{"DTR", toReal},  {"RND", toWhole},  {"RND+", toWhole}, {"RND-", toWhole}, {"TRUNC", toWhole},
+       {"ITD", ofWhole}, {"NEGI", ofWhole}, {"NEGD", ofWhole}, {"ABS", ofReals},  {"NEGR", ofReals},
+       {"SQR", ofReals}, {"SQRT", ofReals}, {"EXP", ofReals},  {"LN", ofReals},   {"SIN", ofReals},
+       {"COS", ofReals}, {"TAN", ofReals},  {"ASIN", ofReals}, {"ACOS", ofReals}, {"ATAN", ofReals}}};
+  const auto found = std::ranges::find(rows, instruction.desc->stl, &Row::name);
+  return found == rows.end() ? std::nullopt : std::optional(found->step);
+}
+
 std::optional<WholeResult> resultOf(const Instruction& instruction, std::int64_t first, std::int64_t second) {
   const std::string_view name = instruction.desc->stl;
   if (name == "+") {  // + 5, + L#5

@@ -27,6 +27,12 @@ bool comparesReals(const Instruction& instruction);
 bool wantsNoNegative(const Instruction& instruction);
 /// -R, NEGR, SIN, COS, TAN, LN: statements whose result is below 0 for half of what they may get.
 bool givesEitherSign(const Instruction& instruction);
+/// A statement that makes one number of the one in ACCU1: DTR takes a whole number and gives a REAL, ABS takes and
+/// gives a REAL.
+struct NumberStep {
+  bool takesReal = false, givesReal = false;
+};
+std::optional<NumberStep> numberStep(const Instruction& instruction);
 /// A sum, difference, product or quotient of whole numbers, of 16 or 32 bits, and what it makes of two constants:
 /// `first` stood in ACCU2. Nothing for other statements and for a division by 0.
 struct WholeResult {
