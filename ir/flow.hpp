@@ -47,6 +47,8 @@ struct Flow {
   const Pou* pou = nullptr;
   std::vector<FlowStep> steps;
   std::vector<FlowFault> faults;
+  std::vector<bool>
+      writtenParameters{};  ///< S7-300/400: FCs, by number in Pou::locals (ir/s7300/written_parameters.hpp)
 };
 
 /// `isLeftOut`, by Instruction::id (may be empty): instructions that do not run.

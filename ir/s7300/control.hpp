@@ -293,7 +293,9 @@ void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instructi
 
   if (!hasInstance(pou) && !pou.isBuiltIn) {
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-      if (given(i) != nullptr) forgetOutput(*parameters[i], *given(i), static_cast<std::uint32_t>(i));
+      const auto number = static_cast<std::size_t>(parameters[i] - pou.locals.data());
+      if (given(i) != nullptr && !callee.writtenParameters[number])
+        forgetOutput(*parameters[i], *given(i), static_cast<std::uint32_t>(i));
     }
   }
   const std::vector<std::pair<std::uint32_t, HandedPointer<D>>> pointers = pointersOf(instruction, pou, first);

@@ -6,6 +6,7 @@
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/library.hpp"
 #include "ir/s7300/organization_block.hpp"
+#include "ir/s7300/written_parameters.hpp"
 
 namespace rungproof {
 
@@ -64,6 +65,9 @@ std::uint32_t localsFrom(const Plan& plan, const Flow& flow, int levels,
 }  // namespace
 
 void Plan::planBlocks() {
+  for (Flow& flow : flows) {
+    if (!hasInstance(*flow.pou)) flow.writtenParameters = s7300::writtenParameters(flow);
+  }
   const Step7CpuRow& cpu = step7Row(program->target.cpu);
   for (std::size_t i = 0; i < flows.size(); ++i) {
     if (s7300::mayStart(*program, *flows[i].pou)) codeBlocks_.emplace(flows[i].pou->number, i);

@@ -41,6 +41,23 @@ TEST(UnwrittenOutput, WrittenOnesAreThat) {
   }
 }
 
+// The output has the place of the input: what the block writes on each of its ways comes of what stood there before the
+// call, so that MW10 counts and M2.0 changes in every scan.
+TEST(UnwrittenOutput, MayHaveThePlaceOfAnInput) {
+  const std::string pins =
+      "VAR_INPUT\n  go : BOOL;\n  k : INT;\nEND_VAR\nVAR_OUTPUT\n  run : BOOL;\n  n : INT;\nEND_VAR\n";
+  const std::string asked =
+      "prove counts: not first_scan implies MW10 = prev(MW10) + 1 or prev(MW10) = 32767\n"
+      "prove changes: not first_scan implies M2.0 <> prev(M2.0)\n";
+  for (const char* statements :
+       {"AN #go;= #run;L #k;L 1;+I;T #n", "A #go;JC a;SET;= #run;JU b;a: CLR;= #run;b: L #k;+ 1;T #n"}) {
+    const Output output = proofOf(asked, outputFunction(pins, statements) +
+                                             block(1, "CALL FC 1 (go := M 2.0, k := MW 10, run := M 2.0, n := MW 10)"));
+    EXPECT_TRUE(output.has("PROVED  counts") && output.has("PROVED  changes")) << statements << output.text;
+    EXPECT_FALSE(output.has("unwritten-output")) << statements << output.text;
+  }
+}
+
 // IN_OUT parameters keep what they are given, outputs of an FB stand in its instance.
 TEST(UnwrittenOutput, OthersKeep) {
   const std::string inOut = "VAR_INPUT\n  go : BOOL;\nEND_VAR\nVAR_IN_OUT\n  run : BOOL;\n  n : INT;\nEND_VAR\n";
