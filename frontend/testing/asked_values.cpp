@@ -113,6 +113,7 @@ std::vector<std::optional<bool>> askedValues(const Program& program, const Simul
                                              const TestTable& table, const Property& property,
                                              const std::vector<std::uint32_t>& lengths) {
   std::vector<std::optional<bool>> result(table.expects.size());
+  if (property.first.empty()) return result;  // a built-in check asks about statements, not about values
   const std::optional<Operands> free = freeBits(program, table, property);
   if (!free) return result;
   bool isFirst = true;

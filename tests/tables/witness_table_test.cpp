@@ -29,6 +29,18 @@ TEST_F(WitnessTable, OfTwoOutputsLeavesTheAnswerOpen) {
   EXPECT_NE(table.find("write what must be seen"), std::string::npos) << table;
 }
 
+// A division by 0 asks about a statement: a program that is mended shows whatever is right there.
+TEST_F(WitnessTable, OfABuiltInCheckLeavesTheAnswerOpen) {
+  const std::string program = write("divides.awl", "Network 1\nLD I0.0\nMOVW 5, VW2\n/I IW4, VW2\n");
+  const test::ProgramRun proof = test::run({"prove", program, "--builtin", "--tables", path("tables"), "--isolated"});
+  EXPECT_EQ(proof.exit, 1) << proof.out;
+  const std::size_t named = proof.out.find("test table: ");
+  ASSERT_NE(named, std::string::npos) << proof.out;
+  const std::size_t begin = named + std::string_view("test table: ").size();
+  const std::string table = contentOf(proof.out.substr(begin, proof.out.find('\n', begin) - begin));
+  EXPECT_NE(table.find("write what must be seen"), std::string::npos) << table;
+}
+
 TEST_F(WitnessTable, OfADifferenceExpectsTheOldProgram) {
   const std::string table = path("difference.test.csv");
   EXPECT_EQ(test::run({"equiv", mended_, faulty_, "--table", table, "--isolated"}).exit, 1);
