@@ -55,6 +55,10 @@ TEST(StatementRole, JumpsLatchesTimersAndComparisonsByTheirSpelling) {
   for (const char* name : {"SQR", "EXP", "+R"}) EXPECT_FALSE(wantsNoNegative(with(name))) << name;
   for (const char* name : {"-R", "NEGR", "SIN"}) EXPECT_TRUE(givesEitherSign(with(name))) << name;
   for (const char* name : {"ABS", "SQR", "EXP", "-I"}) EXPECT_FALSE(givesEitherSign(with(name))) << name;
+  EXPECT_TRUE(numberStep(with("DTR"))->givesReal && !numberStep(with("DTR"))->takesReal);
+  EXPECT_TRUE(numberStep(with("RND-"))->takesReal && !numberStep(with("RND-"))->givesReal);
+  EXPECT_TRUE(numberStep(with("ABS"))->takesReal && numberStep(with("ABS"))->givesReal);
+  EXPECT_FALSE(numberStep(with("ITD"))->givesReal || numberStep(with("+R")));
   EXPECT_EQ(resultOf(with("-D"), 3, 5)->value, -2);
   EXPECT_FALSE(resultOf(with("*I"), 300, 300)->fits());
   EXPECT_TRUE(resultOf(with("*D"), 300, 300)->fits());
