@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <new>
 #include <ostream>
 #include <streambuf>
 
@@ -18,6 +19,7 @@
 #include "engine/platform/private_folder.hpp"
 #include "engine/platform/waitable.hpp"
 #include "frontend/files/disk_file.hpp"
+#include "frontend/files/part_file.hpp"
 #include "frontend/files/sha256.hpp"
 #include "frontend/settings/config.hpp"
 
@@ -64,12 +66,9 @@ std::string folderProblem(const std::string& name) {
 /// Into the folder itself, never to where a link in it leads.
 void writeEntry(const std::string& file, std::string_view text) {
   removeStaleParts(fs::path(file).parent_path(), {});
-  const std::string part = partOf(file);
-  removeFile(part);  // of a process that had our number and was ended
-  const int opened = openNew(part, Readers::OnlyUs);
-  if (opened < 0) return;
-  const bool isWritten = writeBytes(opened, text);
-  if (!closeFile(opened) || !isWritten || !replaceFile(part, file)) removeFile(part);
+  removeFile(partOf(file));  // of a process that had our number and was ended
+  PartFile part(file, Readers::OnlyUs);
+  if (part.isOpen() && writeBytes(part.descriptor(), text)) part.replaceTarget();
 }
 
 /// The bytes of an entry: a file of this user, no link.
@@ -89,14 +88,12 @@ std::string userKey() {
   fs::create_directories(folder, error);
   std::string key = randomBytes(keyBytes);
   if (key.empty()) return {};
-  const std::string part = partOf(pathName(file));
-  const int opened = openNew(part, Readers::OnlyUs);
-  if (opened < 0) return {};
-  const bool isWritten = writeBytes(opened, key);
-  closeFile(opened);
-  const bool isOurs = isWritten && nameFile(part, file);
-  removeFile(part);
-  if (isOurs) return key;
+  {
+    PartFile part(file, Readers::OnlyUs);
+    if (!part.isOpen()) return {};
+    const bool isWritten = writeBytes(part.descriptor(), key);
+    if (part.close() && isWritten && nameFile(part.name(), file)) return key;
+  }
   const auto other = bytesOf(file);  // of a run at the same time
   return other && other->size() == keyBytes ? *other : std::string();
 }
@@ -282,6 +279,7 @@ Exit repeatOrRun(const ResultCache& cache, Context& context, const KeptWork& wor
   bool isFinal = false;
   const Exit exit = work(copied, isFinal);
   context.hasLostOutput = copied.hasLostOutput;
+  if ((!out && context.out) || (!err && context.err)) throw std::bad_alloc();  // a copy grew no more, and text is lost
   const bool isDone = exit == Exit::Clean || exit == Exit::Found;
   if (isDone && isFinal && !copied.hasLostOutput) cache.keep({outCopy.copy(), withoutProgress(errCopy.copy()), exit});
   return exit;

@@ -2,6 +2,7 @@
 #include "analysis/bits/sat.hpp"
 
 #include <cadical.hpp>
+#include <new>
 
 #include "ir/check.hpp"
 
@@ -37,27 +38,46 @@ Sat::Sat(Use use) : solver_(std::make_unique<CaDiCaL::Solver>()) {
   }
 }
 
-Sat::~Sat() = default;
+/// Where memory ends in a call, CaDiCaL is left half changed: it must neither be asked again nor taken down.
+Sat::~Sat() {
+  if (isBroken_) static_cast<void>(solver_.release());
+}
+
+template <class Work>
+auto Sat::guarded(Work&& work) {
+  if (isBroken_) throw std::bad_alloc();
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    isBroken_ = true;
+    throw;
+  }
+}
 
 void Sat::add(std::span<const int> clause) {
-  for (const int literal : clause) solver_->add(literal);
-  solver_->add(0);
+  guarded([&] {
+    for (const int literal : clause) solver_->add(literal);
+    solver_->add(0);
+  });
 }
 
 Sat::Outcome Sat::solve(std::span<const int> assumptions, const Budget& budget, std::span<const int> temporary) {
   if (budget.isExhausted()) return Outcome::Unknown;
-  // An interrupted call leaves both behind.
-  solver_->reset_assumptions();
-  solver_->reset_constraint();
-  for (const int literal : assumptions) solver_->assume(literal);
-  if (!temporary.empty()) {
-    for (const int literal : temporary) solver_->constrain(literal);
-    solver_->constrain(0);
-  }
   BudgetTerminator terminator(budget);
-  solver_->connect_terminator(&terminator);
-  const int result = solver_->solve();
-  solver_->disconnect_terminator();
+  const int result = guarded([&] {
+    // An interrupted call leaves both behind.
+    solver_->reset_assumptions();
+    solver_->reset_constraint();
+    for (const int literal : assumptions) solver_->assume(literal);
+    if (!temporary.empty()) {
+      for (const int literal : temporary) solver_->constrain(literal);
+      solver_->constrain(0);
+    }
+    solver_->connect_terminator(&terminator);
+    const int ended = solver_->solve();
+    solver_->disconnect_terminator();
+    return ended;
+  });
   if (result == 10) return Outcome::Satisfiable;
   if (result == 20) return Outcome::Unsatisfiable;
   return Outcome::Unknown;
@@ -67,6 +87,8 @@ bool Sat::value(int literal) const { return solver_->val(literal) > 0; }
 
 bool Sat::failed(int literal) const { return solver_->failed(literal); }
 
-void Sat::prefer(int literal) { solver_->phase(literal); }
+void Sat::prefer(int literal) {
+  guarded([&] { solver_->phase(literal); });
+}
 
 }  // namespace rungproof

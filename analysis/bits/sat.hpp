@@ -43,7 +43,10 @@ class Sat {
   void prefer(int literal);
 
  private:
+  template <class Work>
+  auto guarded(Work&& work);
   std::unique_ptr<CaDiCaL::Solver> solver_;
+  bool isBroken_ = false;  ///< memory ended in a call
   int variables_ = 0;
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "analysis/broken_off.hpp"
 #include "analysis/equivalence/device_requests.hpp"
 #include "analysis/proof/question_system.hpp"
 #include "analysis/unread/unread_code.hpp"
@@ -81,8 +82,6 @@ std::vector<QuestionAnswer> askedApart(const TransitionSystem& system,
   return answers;
 }
 
-std::string defectText(const std::exception& error) {
-  return fmt::format("internal error: {}; this is a defect of rungproof, and leaves this open", error.what());
-}
+std::string defectText(const std::exception& error) { return whyBrokenOff(error) + ", which leaves this open"; }
 
 }  // namespace rungproof

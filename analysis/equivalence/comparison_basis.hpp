@@ -29,7 +29,7 @@ Node anyOf(Graph& graph, const std::vector<Question>& questions, const std::vect
 std::vector<QuestionAnswer> askedApart(const TransitionSystem& system,
                                        const std::function<QuestionAnswer(const TransitionSystem&)>& ask,
                                        const std::function<void(std::size_t, const std::exception&)>& broken);
-/// "internal error: ...; this is a defect of rungproof, and leaves this open".
+/// whyBrokenOff(), and that it leaves the comparison open.
 std::string defectText(const std::exception& error);
 
 }  // namespace rungproof

@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "analysis/asking/asked_goals.hpp"
+#include "analysis/broken_off.hpp"
 #include "analysis/proof/proof_networks.hpp"
 #include "analysis/proof/question_search.hpp"
 #include "analysis/proof/unfollowed_routine.hpp"
@@ -34,10 +35,9 @@ void leaveOpen(ProofResult& row, const std::vector<std::string>& reasons) {
   row.notes.insert(row.notes.end(), reasons.begin(), reasons.end());
 }
 
-/// An error of ours while a question was answered.
+/// An exception while a question was answered.
 void breakOff(ProofResult& row, const std::exception& error) {
-  leaveOpen(row, {fmt::format("internal error: {}; this is a defect of rungproof, and leaves the question open",
-                              error.what())});
+  leaveOpen(row, {whyBrokenOff(error) + ", which leaves the question open"});
   row.outcome = Outcome::Unknown;
 }
 

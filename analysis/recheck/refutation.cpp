@@ -64,19 +64,9 @@ bool follow(std::span<const unsigned char> trace, int variables, RupChecker& che
   return true;
 }
 
-}  // namespace
-
-CheckResult refute(const GateClauses::Clauses& clauses, const RefutationLimits& limits) {
-  RupChecker checker(clauses.variables);
-  for (std::size_t begin = 0, end = 0; end < clauses.literals.size() && !checker.isRefuted(); begin = ++end) {
-    while (clauses.literals[end] != 0) ++end;
-    checker.add(std::span(clauses.literals).subspan(begin, end - begin));
-  }
-  if (checker.isRefuted()) return CheckResult::Valid;
-  RefutationEnd end(limits);
-  if (end.terminate()) return CheckResult::Unknown;
-  const MemoryStream trace;  // what the solver writes
-  CaDiCaL::Solver solver;
+/// `trace`: what the solver writes, for as long as it lives.
+CheckResult refuteWith(CaDiCaL::Solver& solver, const MemoryStream& trace, const GateClauses::Clauses& clauses,
+                       RupChecker& checker, RefutationEnd& end) {
   solver.set("quiet", 1);
   solver.set("lucky", 0);
   for (const char* technique : {"walk", "probe", "elim", "subsume", "vivify", "ternary", "transred", "decompose",
@@ -105,6 +95,27 @@ CheckResult refute(const GateClauses::Clauses& clauses, const RefutationLimits& 
   if (result == 10) return CheckResult::Invalid;
   if (result != 20 || !goesOn() || !checker.isRefuted()) return CheckResult::Unknown;
   return CheckResult::Valid;
+}
+
+}  // namespace
+
+CheckResult refute(const GateClauses::Clauses& clauses, const RefutationLimits& limits) {
+  RupChecker checker(clauses.variables);
+  for (std::size_t begin = 0, end = 0; end < clauses.literals.size() && !checker.isRefuted(); begin = ++end) {
+    while (clauses.literals[end] != 0) ++end;
+    checker.add(std::span(clauses.literals).subspan(begin, end - begin));
+  }
+  if (checker.isRefuted()) return CheckResult::Valid;
+  RefutationEnd end(limits);
+  if (end.terminate()) return CheckResult::Unknown;
+  const MemoryStream trace;
+  auto solver = std::make_unique<CaDiCaL::Solver>();
+  try {
+    return refuteWith(*solver, trace, clauses, checker, end);
+  } catch (...) {
+    static_cast<void>(solver.release());  // memory ended: it is half changed, and cannot be taken down
+    throw;
+  }
 }
 
 }  // namespace rungproof

@@ -9,7 +9,7 @@ namespace rungproof {
 
 class MemoryStream {
  public:
-  MemoryStream();  ///< aborts if the system has no room for it
+  MemoryStream();  ///< std::bad_alloc where the system has no room for it
   ~MemoryStream();
   MemoryStream(const MemoryStream&) = delete;
   MemoryStream& operator=(const MemoryStream&) = delete;

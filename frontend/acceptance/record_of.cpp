@@ -15,6 +15,7 @@
 #include "frontend/picture/network_view.hpp"
 #include "frontend/picture/timing_diagram.hpp"
 #include "frontend/simulation/witness_report.hpp"
+#include "frontend/text/text_stream.hpp"
 #include "frontend/trace_format.hpp"
 #include "ir/iec/cpu.hpp"
 
@@ -159,7 +160,7 @@ void addEvidence(PropertyResult& row, const Program& program, const Choices& cho
   if (shown == nullptr) return;
   evidence.wave = timingDiagram(*shown, "", scansInWave);
   const Trace whole = traceOf(program, choices, *result.witness, touchedSignals(program));
-  std::ostringstream text;
+  TextStream text;
   traceFormatOf("run.csv")->write(whole, result.property.name, text);
   if (text.view().size() <= stimulusBytes) evidence.stimulus = text.str();
 }

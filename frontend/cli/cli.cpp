@@ -8,11 +8,14 @@
 #include <exception>
 #include <filesystem>
 #include <istream>
+#include <new>
 #include <ostream>
 #include <streambuf>
+#include <system_error>
 
 #include "engine/platform/names.hpp"
 #include "frontend/cli/argument_parser.hpp"
+#include "frontend/cli/last_words.hpp"
 #include "frontend/cli/watched_run.hpp"
 #include "frontend/files/closest_word.hpp"
 #include "frontend/files/disk_file.hpp"
@@ -416,6 +419,10 @@ int runProgram(const std::vector<std::string>& arguments, const Streams& given) 
   try {
     const int exit = runArguments(arguments, streams);
     return streams.out.flush() ? exit : failed(streams.err, {"standard output cannot be written"});
+  } catch (const std::bad_alloc&) {
+    return failed(streams.err, {outOfMemory, {}, "close other programs, or ask less at once"});
+  } catch (const std::system_error& error) {
+    return failed(streams.err, {fmt::format("the system refuses what is needed: {}", error.code().message())});
   } catch (const std::exception& error) {
     // A broken assertion (ir/check.hpp) or an error of a library must not look like a result.
     return failed(streams.err, {fmt::format("internal error: {}", error.what())});

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "engine/platform/console.hpp"
+#include "frontend/cli/last_words.hpp"
 #include "frontend/cli/standard_streams.hpp"
 #include "frontend/cli/watched_run.hpp"
 
@@ -24,6 +25,7 @@ constexpr std::array<const rungproof::Worker*, 4> workers = {&rungproof::formula
 }  // namespace
 
 int main(int argc, char** argv) {
+  rungproof::prepareLastWords();
   std::ios::sync_with_stdio(false);
   return rungproof::runProgramIn([&] {
     const std::vector<std::string> arguments = rungproof::programArguments(argc, argv);

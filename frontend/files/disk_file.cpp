@@ -15,6 +15,7 @@
 #include "engine/platform/names.hpp"
 #include "engine/platform/waitable.hpp"
 #include "frontend/files/held_state.hpp"
+#include "frontend/files/part_file.hpp"
 
 namespace rungproof {
 
@@ -152,8 +153,8 @@ Failure failureOf(const std::string& name, int reason) {
 }
 
 /// Into what stands there, without replacing it. A pipe without a reader is an error, not the end of the program.
-std::optional<Failure> writeDirectly(const std::string& name, const PiecewiseText& text, bool isRegular) {
-  const int file = openToWrite(name, isRegular ? Emptied::Yes : Emptied::No);
+std::optional<Failure> writeDirectly(const std::string& name, const PiecewiseText& text) {
+  const int file = openToWrite(name, Emptied::No);
   if (file < 0) return failureOf(name, reasonOf(errno));
   const OutlivedReaders guard;
   const bool isWritten = writeAll(file, text);
@@ -162,39 +163,44 @@ std::optional<Failure> writeDirectly(const std::string& name, const PiecewiseTex
   return failureOf(name, isWritten ? errno : reason);
 }
 
+/// Gives a file its bytes anew; errno tells why not.
+bool fill(const std::string& name, const PiecewiseText& text) {
+  const int file = openToWrite(name, Emptied::Yes);
+  if (file < 0) return false;
+  const bool isWritten = writeAll(file, text);
+  const int reason = errno;
+  const bool isClosed = closeFile(file);
+  if (!isWritten) errno = reason;
+  return isClosed && isWritten;
+}
+
+/// Into a regular file that must stay the same file. What cannot be written whole is taken back.
+std::optional<Failure> writeInto(const std::string& name, const PiecewiseText& text) {
+  const InputBytes old = bytesFromDisk(name, longestInput);
+  if (fill(name, text)) return std::nullopt;
+  const int reason = errno;
+  const bool isRestored = old.bytes && fill(name, [&](const TakePiece& take) { return take(*old.bytes); });
+  Failure failure = failureOf(name, reason);
+  if (!isRestored && !failure.message.empty()) failure.help = "what stood in it is lost";
+  return failure;
+}
+
+/// Whether nothing may be made in the folder.
+bool isForbidden(int reason) { return reason == EACCES || reason == EPERM || reason == EROFS; }
+
 /// Beside the target, then in its place. `old`: what stands there now, or nullptr.
 std::optional<Failure> replaceWhole(const std::string& name, const fs::path& target, const PiecewiseText& text,
                                     const FileStatus* old) {
   removeStaleParts(target.parent_path(), pathName(target.filename()));
-  const std::string part = partOf(pathName(target));
-  const int file = openNew(part, Readers::Usual);  // held: removeStaleParts() sees that somebody writes
-  if (file < 0) {
-    // A folder in which nothing may be made can still hold a file that may be written.
-    if (old != nullptr) return writeDirectly(pathName(target), text, true);
-    return failureOf(name, reasonOf(errno));
-  }
-  bool isDone = true;
-  if (old != nullptr) {
-    isDone = makeLike(file, *old);
-    if (!isDone) {
-      closeFile(file);
-      removeFile(part);
-      return writeDirectly(pathName(target), text, true);
+  {
+    PartFile part(target, Readers::Usual);
+    if (!part.isOpen() && (old == nullptr || !isForbidden(errno))) return failureOf(name, reasonOf(errno));
+    if (part.isOpen() && (old == nullptr || makeLike(part.descriptor(), *old))) {
+      if (writeAll(part.descriptor(), text) && part.replaceTarget()) return std::nullopt;
+      return failureOf(name, errno);
     }
   }
-  isDone = writeAll(file, text);
-  int reason = isDone ? 0 : errno;
-  if (!closeFile(file) && isDone) {
-    isDone = false;
-    reason = errno;
-  }
-  if (isDone && !replaceFile(part, target)) {
-    isDone = false;
-    reason = errno;
-  }
-  if (isDone) return std::nullopt;
-  removeFile(part);
-  return failureOf(name, reason);
+  return writeInto(pathName(target), text);  // it may be written, and not be replaced by one like it
 }
 
 }  // namespace
@@ -249,8 +255,6 @@ void removeStaleParts(const fs::path& folder, std::string_view name) {
       removeFile(entry->path());
   }
 }
-
-std::string partOf(const std::string& target) { return target + fmt::format(".{}.part", processNumber()); }
 
 void holdText(const std::string& name, HeldText text) { heldTexts()[heldKey(name)] = std::move(text); }
 
@@ -326,7 +330,7 @@ std::optional<Failure> writeOutputFile(const std::string& name, const PiecewiseT
     return replaceWhole(name, target, text, nullptr);
   }
   if (old->isFolder()) return failureOf(name, "it is a folder", "give the name of a file");
-  if (!old->isRegular()) return writeDirectly(name, text, false);
+  if (!old->isRegular()) return writeDirectly(name, text);
   if (input == InputFile::Refuse && inputs().contains(*old))
     return failureOf(name, "it has been read as input", "give the output another name");
   if (!old->isWritable || !mayWrite(name))
@@ -336,7 +340,7 @@ std::optional<Failure> writeOutputFile(const std::string& name, const PiecewiseT
     if (open && open->identity == old->identity)  // /dev/stdout, led into a file
       return writeAll(stream, text) ? std::nullopt : std::optional(failureOf(name, errno));
   }
-  if (old->names > 1) return writeDirectly(name, text, true);  // all its names stay the same file
+  if (old->names > 1) return writeInto(name, text);  // all its names stay the same file
   const fs::path target = behindLinks(name);
   return target.empty() ? failureOf(name, reasonOf(ELOOP)) : replaceWhole(name, target, text, &*old);
 }

@@ -75,8 +75,6 @@ enum class InputFile : bool { Refuse, Replace };  ///< Replace: the input itself
 /// Removes what an interrupted run left beside the file `target` (or, without a name, in the whole folder `target`):
 /// parts whose writer is gone.
 void removeStaleParts(const std::filesystem::path& folder, std::string_view name);
-/// The name of the file that becomes `target` when it is whole.
-std::string partOf(const std::string& target);
 
 /// Writes the whole text, or says why not. A regular file is replaced as a whole by one of the same mode and owner, at
 /// the place that links lead to; anything else (device, pipe, standard output by its name) is written to directly. What

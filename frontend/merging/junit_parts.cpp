@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "frontend/merging/report_parts.hpp"
+#include "frontend/text/text_stream.hpp"
 
 namespace rungproof {
 
@@ -21,7 +22,7 @@ std::optional<PartMark> markIn(const pugi::xml_document& document) {
 }
 
 std::string printedNode(pugi::xml_node node) {
-  std::ostringstream text;
+  TextStream text;
   node.print(text, "", pugi::format_raw);
   return text.str();
 }
@@ -77,7 +78,7 @@ JoinResult joinJunit(const std::vector<PartFile>& files) {
     }
   }
   for (const char* count : {"tests", "failures", "errors"}) root.append_attribute(count) = sumOf(root, count);
-  std::ostringstream text;
+  TextStream text;
   whole.save(text, "  ");
   return JoinedReport{text.str(), worstExit(marks)};
 }

@@ -8,6 +8,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "frontend/text/text_stream.hpp"
 #include "frontend/trace_format.hpp"
 
 namespace rungproof {
@@ -54,14 +55,14 @@ std::optional<Failure> checkTraceName(const std::string& name) {
 
 bool writeTrace(const Context& context, const std::string& name, const Trace& trace, std::string_view title) {
   const TraceFormat* format = traceFormatFor(name);
-  std::ostringstream text;
+  TextStream text;
   format->write(trace, title, text);
   return context.write({std::string(format->ending), name}, text.view());
 }
 
 bool writePage(const Context& context, const std::string& name, const Trace& trace, std::string_view title,
                const TraceDrawings& drawings, const ExpectedLanes& expected) {
-  std::ostringstream text;
+  TextStream text;
   writeTracePage(trace, title, drawings, text, expected);
   return context.write({"html", name}, text.view());
 }

@@ -16,6 +16,7 @@
 #include "frontend/simulation/event_place.hpp"
 #include "frontend/simulation/given_columns.hpp"
 #include "frontend/simulation/library_columns.hpp"
+#include "frontend/text/text_stream.hpp"
 #include "frontend/trace_format.hpp"
 #include "ir/iec/cpu.hpp"
 #include "ir/iec/variables.hpp"
@@ -244,7 +245,7 @@ std::string writeRun(const Context& context, const std::string& folder, const st
   std::string first;
   for (const char* ending : {".csv", ".vcd", ".svg"}) {
     const std::string name = evidenceFile(folder, stem + ending);
-    std::ostringstream text;
+    TextStream text;
     traceFormatOf(name)->write(trace, result.property.name, text);
     if (!context.write({ending + 1, name}, text.str())) continue;
     if (first.empty()) first = name;

@@ -8,7 +8,9 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <csignal>
+#include <exception>
 
 #include "engine/platform/posix/held_signals.hpp"
 
@@ -50,6 +52,7 @@ void settleIn(ChildKind kind, std::uint64_t memory) {
 /// The child's whole life.
 [[noreturn]] void workAndEnd(const Worker& worker, const std::string& request, int pipe) {
   int exit = brokenOff;
+  std::set_terminate([] { ::_exit(brokenOff); });
   try {
     exit = worker.work(request, [pipe](std::string_view bytes) { return writeBytes(pipe, bytes); });
   } catch (...) {
@@ -88,9 +91,11 @@ ChildProcess::~ChildProcess() {
 std::optional<int> ChildProcess::wait() {
   if (process_ <= 0) return std::nullopt;
   int status = 0;
-  ::waitpid(static_cast<pid_t>(process_), &status, 0);
+  pid_t ended = 0;
+  do ended = ::waitpid(static_cast<pid_t>(process_), &status, 0);
+  while (ended < 0 && errno == EINTR);
   process_ = -1;
-  return WIFEXITED(status) ? std::optional<int>(WEXITSTATUS(status)) : std::nullopt;
+  return ended > 0 && WIFEXITED(status) ? std::optional<int>(WEXITSTATUS(status)) : std::nullopt;
 }
 
 void ChildProcess::interrupt(int which) {

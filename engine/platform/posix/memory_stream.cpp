@@ -4,13 +4,14 @@
 #include <stdio.h>
 
 #include <cstdlib>
+#include <new>
 
 namespace rungproof {
 
 class MemoryStream::Impl {
  public:
   Impl() : file(open_memstream(&text, &size)) {
-    if (file == nullptr) std::abort();
+    if (file == nullptr) throw std::bad_alloc();
   }
   ~Impl() {
     std::fclose(file);

@@ -1,7 +1,7 @@
 // Windows has no streams in memory: a temporary file, read as far as it is written.
 #include "engine/platform/memory_stream.hpp"
 
-#include <cstdlib>
+#include <new>
 #include <vector>
 
 namespace rungproof {
@@ -9,7 +9,7 @@ namespace rungproof {
 class MemoryStream::Impl {
  public:
   Impl() : file(std::tmpfile()) {
-    if (file == nullptr) std::abort();
+    if (file == nullptr) throw std::bad_alloc();
   }
   ~Impl() { std::fclose(file); }
 
