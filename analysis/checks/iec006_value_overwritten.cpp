@@ -33,7 +33,7 @@ class OverwrittenValues {
   void statement(const iec::Statement& one, Waiting& waiting) {
     const bool isAssignment = one.kind == iec::StatementKind::Assign && one.target != nullptr &&
                               one.target->kind == iec::ExprKind::Path && one.target->parts.size() == 1;
-    forgetRead(one, waiting, isAssignment);
+    const bool leaves = forgetRead(one, waiting, isAssignment);
     if (isAssignment) {
       const iec::DeclaredVariable* row = uses_.find(block_, one.target->parts[0].name);
       if (row == nullptr) return;
@@ -43,6 +43,8 @@ class OverwrittenValues {
       entry->second = one.target->span;
       return;
     }
+    // Where a branch can leave the list, what it has written may stay.
+    if (leaves) return;
     // What a branch has written is lost too if the statement behind it writes in every case.
     iec::eachStatement(one.otherwise,
                        [&](const iec::Statement& inner, const iec::Statements&, std::size_t) { wait(inner, waiting); });
@@ -59,7 +61,8 @@ class OverwrittenValues {
   }
 
   /// Leaves out what the statement may read, and everything where it can leave the list or call what reads others.
-  void forgetRead(const iec::Statement& one, Waiting& waiting, bool isAssignment) {
+  /// Whether it can leave the list.
+  bool forgetRead(const iec::Statement& one, Waiting& waiting, bool isAssignment) {
     isReadInside_.clear();
     bool leaves = false;
     const auto read = [&](const iec::Expr& expr) {
@@ -85,6 +88,7 @@ class OverwrittenValues {
     iec::eachStatement(one.otherwise,
                        [&](const iec::Statement& inner, const iec::Statements&, std::size_t) { look(inner); });
     if (leaves) waiting.clear();
+    return leaves;
   }
 
   static void forgetGlobals(Waiting& waiting) {

@@ -150,6 +150,17 @@ TEST(IecRules, ResultNotAssigned) {
 TEST(IecRules, ValueOverwritten) {
   expectIecFindings(
       "IEC006", {{"two coils", 1, main61131("", "q := a; q := b;")},
+                 {"RETURN behind it: the last value is not written then", 0,
+                  main61131("", "IF a THEN q := b; RETURN; END_IF; q := c;")},
+                 {"the same in each of two, and in ELSE", 0,
+                  main61131("",
+                            "IF a THEN q := b; RETURN; END_IF; IF b THEN q := c; ELSE q := a; RETURN; END_IF; "
+                            "q := c AND a;")},
+                 {"EXIT leaves the loop", 0,
+                  main61131("i : INT;", "FOR i := 0 TO 3 DO IF a THEN q := b; EXIT; END_IF; q := c; END_FOR;")},
+                 {"CONTINUE leaves the round", 0,
+                  main61131("i : INT;", "FOR i := 0 TO 3 DO IF a THEN q := b; CONTINUE; END_IF; q := c; END_FOR;")},
+                 {"nothing leaves", 1, main61131("", "IF a THEN q := b; END_IF; q := c;")},
                  {"three", 2, main61131("", "q := a; q := b; q := c;")},
                  {"a branch in front", 1, main61131("", "IF a THEN q := TRUE; END_IF; q := b;")},
                  {"within a branch", 1, main61131("", "IF a THEN q := b; r := c; q := c; END_IF;")},
