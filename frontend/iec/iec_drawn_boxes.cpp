@@ -10,6 +10,8 @@ namespace rungproof::iec {
 
 namespace {
 
+const std::string noVariable;
+
 /// A value that has no type of its own, or TRUE, or a literal with its type.
 bool isLiteralText(const std::string& text) {
   const std::string folded = foldedName(text);
@@ -34,6 +36,9 @@ const DrawnPin* enablePinOf(const DrawnElement& element) {
 bool hasTargets(const DrawnElement& element) {
   return std::ranges::any_of(element.outputs, [](const DrawnPin& pin) { return !pin.expression.empty(); });
 }
+
+bool isReturn(const DrawnElement& element) { return element.code.empty() && foldedName(element.text) == "RETURN"; }
+bool isWithoutResult(const DrawnElement& element) { return !element.code.empty() || isReturn(element); }
 
 /// Whether ENO tells more than that EN is TRUE.
 bool tellsByEnabled(const DrawnElement& element) {
@@ -66,9 +71,10 @@ std::string DrawingToStatements::nameOfOutput(const DrawnElement& element, const
   return foldedName(pin.empty() && output != nullptr ? output->name : pin);
 }
 
-/// Editors name the result of a function OUT, like the function, or not at all.
+/// Editors name the result of a function OUT, like the function, or not at all. A box of statements and RETURN have no
+/// result: the flow leaves them, whatever the pin is called.
 DrawingToStatements::Output DrawingToStatements::outputKind(const DrawnElement& element, const std::string& folded) {
-  if (folded == "ENO") return Output::Enabled;
+  if (folded == "ENO" || isWithoutResult(element)) return Output::Enabled;
   if (!folded.empty() && folded != "EN" && inputNamed(element, folded) != nullptr) return Output::Passed;
   const std::string name = foldedName(element.text);
   const bool isResult = folded.empty() || folded == "OUT" || folded == name || isStandardFunction(name);
@@ -112,10 +118,13 @@ ExprPtr DrawingToStatements::resultOf(int i, const std::string& pin) {
     if (kind == Output::Enabled && told.empty()) {
       value = literalOf("TRUE", element.span);
     } else {
-      value = pathOf({kind == Output::Enabled  ? told
-                      : kind == Output::Result ? box.result
-                                               : box.outputs.at(name)},
-                     element.span);
+      const auto other = box.outputs.find(name);
+      const std::string& given = kind == Output::Enabled      ? told
+                                 : kind == Output::Result     ? box.result
+                                 : other != box.outputs.end() ? other->second
+                                                              : noVariable;
+      if (given.empty()) refuse(element, fmt::format("which output of {} is meant is not said", nameOf(element)));
+      value = pathOf({given}, element.span);
     }
   }
   return output != nullptr && output->negated ? inverted(std::move(value)) : std::move(value);
@@ -236,7 +245,6 @@ DrawingToStatements::Box& DrawingToStatements::called(int i) {
 void DrawingToStatements::callBox(int i, Box& box) {
   const DrawnElement& element = circuit_.element(i);
   const Span span = element.span;
-  const std::string name = foldedName(element.text);
   const DrawnPin* const pin = enablePinOf(element);
   if (ExprPtr flow = pin != nullptr ? arriving(i, *pin) : nullptr; flow != nullptr && !isTrue(*flow)) {
     const bool isKept = flow->kind == ExprKind::Path && flow->parts.size() == 1 &&
@@ -249,7 +257,7 @@ void DrawingToStatements::callBox(int i, Box& box) {
     const std::vector<std::uint32_t> places(element.code.size() + 1, element.codeSpan.offset);
     std::vector<Directive> none;
     body = parseBody({element.code, span.file, 0, &places}, sink_, none);
-  } else if (name == "RETURN") {
+  } else if (isReturn(element)) {
     body.push_back(statementAt(i, StatementKind::Return));
   } else {
     ExprPtr call = callAt(i, false);

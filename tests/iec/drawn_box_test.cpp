@@ -98,6 +98,36 @@ TEST(DrawnBox, ExecuteRunsItsText) {
   EXPECT_EQ(verdictIn(text, "n < 3"), "VIOLATED");
 }
 
+/// `text` with statements in its first box, as CODESYS writes them.
+std::string withStatements(std::string text, const std::string& statements) {
+  return text.insert(
+      text.find("</block>"),
+      "<addData><data name=\"http://www.3s-software.com/plcopenxml/stcode\" handleUnknown=\"implementation\">"
+      "<STCode xmlns=\"\">" +
+          statements + "</STCode></data></addData>");
+}
+
+// The flow leaves a box of statements, whatever its pin is called: q is a, and n counts the scans with a.
+TEST(DrawnBox, TheFlowLeavesABoxOfStatementsByAnyPin) {
+  for (const std::string pin : {"Out1", "OUT", "EXECUTE", "eno"}) {
+    SCOPED_TRACE(pin);
+    const std::string text = withStatements(
+        drawingText("LD", enabledBox("EXECUTE", {}, {pin}) + coilElement(4, {"3." + pin}, "q", "", 90, 10)), "n := 1;");
+    EXPECT_EQ(verdictIn(text, "q = a"), "PROVED");
+    EXPECT_EQ(verdictIn(text, "first_scan implies (n = 1) = a"), "PROVED");
+  }
+}
+
+// RETURN has no result either: what stands behind it has run only where a is FALSE, and then the flow is FALSE too.
+TEST(DrawnBox, TheFlowLeavesReturnByAnyPin) {
+  for (const std::string pin : {"Out1", "OUT", "RETURN"}) {
+    SCOPED_TRACE(pin);
+    const std::string text =
+        drawingText("LD", enabledBox("RETURN", {}, {pin}) + coilElement(4, {"3." + pin}, "q", "", 90, 10));
+    EXPECT_EQ(verdictIn(text, "never q"), "PROVED");
+  }
+}
+
 TEST(DrawnBox, ReturnLeavesTheBlock) {  // what stands below keeps its value while a is TRUE
   const std::string text =
       drawingText("LD", enabledBox("RETURN", {}, {"ENO"}) + railElement(5) + contactElement(6, {"5"}, "b", "", 10, 90) +
