@@ -3,13 +3,20 @@
 
 namespace rungproof::iec {
 
-/// ENO => x: TRUE, but for a division by 0. What other functions say of an error is not modelled.
+/// ENO => x: TRUE, but for a division by 0. Of other functions that can fail ENO has any value: what they take for an
+/// error is not the same everywhere.
 void Lowering::tellEnabled(Scope& scope, const std::string& name, const Expr& expr) {
   for (const Argument& argument : expr.arguments) {
     if (!argument.isOutput || foldedName(argument.name) != "ENO" || argument.value == nullptr) continue;
     const bool isStandard = functionNamed(name) == nullptr;
-    if (isStandard && isPartialFunction(name))
-      refuse(argument.span, fmt::format("ENO of {} is not modelled", name), Syntax::IecNotModelled);
+    if (isStandard && isPartialFunction(name)) {
+      writeEnabled(scope, argument, [&] {
+        const std::uint32_t any = allocate(1);
+        emitPlace("ANY", *elementaryType("BOOL"), any);
+        load(*elementaryType("BOOL"), any);
+      });
+      continue;
+    }
     const std::vector<const Expr*> values = plainArguments(expr, {"IN1", "IN2"});
     const Type* type = isStandard && (name == "DIV" || name == "MOD") && values.size() == 2
                            ? ownTypeOf(scope, values, expr.span)

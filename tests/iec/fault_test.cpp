@@ -52,7 +52,22 @@ TEST(IecEnable, WhatIsNotModelledIsRefused) {
   refused("m := 1 + ADD(EN := a, IN1 := n, IN2 := 1);", "EN inside an expression");
   refused("m := ADD(EN := a, IN1 := n, IN2 := 1, ENO => n);", "ENO needs a BOOL variable");
   refused("m := ADD(IN1 := n, IN2 := 1, OUT => m);", "no output OUT");
-  refused("x := SQRT(IN := x, ENO => e);\nm := REAL_TO_INT(x);", "ENO of SQRT is not modelled");
+}
+
+// What a function takes for an error is not the same everywhere: ENO may be TRUE or FALSE, and the rest is read.
+// Without EN nothing runs, so that ENO is FALSE.
+TEST(IecEnable, EnoOfWhatCanFailHasAnyValue) {
+  for (const std::string call :
+       {"n := REAL_TO_INT(EN := a, IN := x, ENO => e);", "x := SQRT(EN := a, IN := x, ENO => e);",
+        "n := TRUNC(EN := a, IN := x, ENO => e);", "n := MUX(EN := a, K := n, IN0 := n, IN1 := 3, ENO => e);"}) {
+    SCOPED_TRACE(call);
+    const std::string local =
+        iecProgram("VAR_INPUT a : BOOL; END_VAR VAR x : REAL; n : INT; e, q : BOOL; END_VAR", call + "\nq := a;");
+    EXPECT_EQ(verdictOf(local, "q = a"), "PROVED");
+    EXPECT_EQ(verdictOf(local, "e implies a"), "PROVED");
+    EXPECT_EQ(verdictOf(local, "never a and e"), "VIOLATED");
+    EXPECT_EQ(verdictOf(local, "never a and not e"), "VIOLATED");
+  }
 }
 
 // The spec's micro program 22: outputs are kept while EN is FALSE. ENO is read as a part of the instance.
