@@ -341,6 +341,13 @@ void Lowering::pushValue(const Value& value, const Type& wanted, Span span) {
       refuse(span, fmt::format("the number is too large for {}", wanted.name));
     return constant(realPattern(real, wanted.width), wanted.width);
   }
+  expectFits(value, wanted, span);
+  if (isBitsOf(value, wanted)) return pushPattern(value, wanted, span);
+  constant(value.number, wanted.width);
+}
+
+/// Refuses a constant that no variable of the type, which is not REAL, can hold.
+void Lowering::expectFits(const Value& value, const Type& wanted, Span span) {
   if (value.isReal) refuse(span, fmt::format("a REAL number does not fit into {}", wanted.name));
   if (wanted.kind == Kind::Time && value.type == nullptr && value.number != 0)
     refuse(span, "a duration is written T#5s");
@@ -356,11 +363,10 @@ void Lowering::pushValue(const Value& value, const Type& wanted, Span span) {
                         : !value.isHuge &&
                               value.number >= (wanted.isSigned ? -(std::int64_t{1} << (wanted.width - 1)) : 0) &&
                               value.number < (std::int64_t{1} << wanted.width);
-  if (isBitsOf(value, wanted)) return pushPattern(value, wanted, span);
+  if (isBitsOf(value, wanted)) return;
   if (!fits && value.isHuge)
     refuse(span, fmt::format("{} does not fit into {}", static_cast<std::uint64_t>(value.number), wanted.name));
   if (!fits) refuse(span, fmt::format("{} does not fit into {}", value.number, wanted.name));
-  constant(value.number, wanted.width);
 }
 
 /// The number with these bits, which not all implementations take.

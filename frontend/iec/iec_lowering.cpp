@@ -123,6 +123,7 @@ Variable Lowering::makeVariable(const VariableSyntax& syntax, const std::string&
   if (syntax.isConstant && initial != nullptr && initial->value != nullptr && made.type->isValue()) {
     made.constant = types_.constant(*initial->value);
     if (!made.constant) refuse(initial->span, "the value of a constant is no constant expression");
+    expectInitial(*made.constant, *made.type, initial->span);
     if (made.constant->type == nullptr && !made.constant->isReal)
       made.constant->type = made.type->kind == Kind::Real ? nullptr : made.type;
     return made;
@@ -193,12 +194,22 @@ void Lowering::initialize(const Type& type, std::uint32_t offset, const Initial*
     if (initial->value->kind == ExprKind::Literal) static_cast<void>(literalValue(*initial->value, reason));
     refuse(initial->span, reason);
   }
-  if (type.kind == Kind::Time && value->type == nullptr && value->number != 0)
-    refuse(initial->span, "a duration is written T#5s");
-  if (type.kind == Kind::Real && value->isReal && !isWithinReal(value->real, type.width))
-    refuse(initial->span, fmt::format("the number is too large for {}", type.name));
+  expectInitial(*value, type, initial->span);
   tellPattern(*value, type, initial->span);
   writeInitial(type, offset, *value);
+}
+
+/// Refuses a value of a declaration that no variable of the type can hold.
+void Lowering::expectInitial(const Value& value, const Type& type, Span span) {
+  if (type.kind == Kind::Real) {
+    if (value.isReal && !isWithinReal(value.real, type.width))
+      refuse(span, fmt::format("the number is too large for {}", type.name));
+    return;
+  }
+  expectFits(value, type, span);
+  const bool isOutside = value.isHuge || value.number < type.low || value.number > type.high;
+  if (isSubrange(type) && !type.isLong() && isOutside)
+    refuse(span, fmt::format("{} is not within {}..{}", value.number, type.low, type.high));
 }
 
 void Lowering::writeInitial(const Type& type, std::uint32_t offset, const Value& value) {

@@ -112,6 +112,7 @@ class Lowering {
   Variable makeVariable(const VariableSyntax& syntax, const std::string& path);
   std::uint32_t allocate(std::uint32_t bytes);
   void initialize(const Type& type, std::uint32_t offset, const Initial* initial);
+  void expectInitial(const Value& value, const Type& type, Span span);
   void writeInitial(const Type& type, std::uint32_t offset, const Value& value);
   void nameVariables();
   void nameOperands();
@@ -309,6 +310,7 @@ class Lowering {
   void valueAs(Scope& scope, const Expr& expr, const Type& wanted);
   void pushValue(const Value& value, const Type& wanted, Span span);
   void pushPattern(const Value& value, const Type& wanted, Span span);
+  void expectFits(const Value& value, const Type& wanted, Span span);
   bool tellPattern(const Value& value, const Type& type, Span span);
   void checkRange(Scope& scope, const Type& type, Span span);
   void convertImplicitly(const Type& from, const Type& to, Span span);

@@ -1,6 +1,7 @@
 // Values that a type does not have: what comes from outside without an address and what is kept over the loss of power
 // is a value of its type. Where the program itself or an address gives the value, it can be any pattern.
 #include "tests/iec/iec_output.hpp"
+#include "tests/iec/iec_run.hpp"
 
 namespace rungproof {
 namespace {
@@ -83,6 +84,49 @@ TEST(TypeLimits, CopiesOfWhatComesFromOutsideAreKeptAsTheyCame) {
   };
   EXPECT_TRUE(proofOfIec(program("//@ external n\n")).has("VIOLATED  first"));
   EXPECT_TRUE(proofOfIec(program("")).has("PROVED  first"));
+}
+
+// A statement with the number is refused, and so is a declaration: its bits are another number.
+TEST(TypeLimits, AnInitialValueFitsIntoItsType) {
+  const std::pair<std::string, std::string> wrong[] = {
+      {"VAR n : INT := 32768; END_VAR", "32768 does not fit into INT"},
+      {"VAR n : SINT := -129; END_VAR", "-129 does not fit into SINT"},
+      {"VAR n : USINT := 256; END_VAR", "256 does not fit into USINT"},
+      {"VAR n : UDINT := -1; END_VAR", "-1 does not fit into UDINT"},
+      {"VAR n : ULINT := -1; END_VAR", "-1 does not fit into ULINT"},
+      {"VAR n : BYTE := 16#100; END_VAR", "256 does not fit into BYTE"},
+      {"VAR n : INT := 1.5; END_VAR", "a REAL number does not fit into INT"},
+      {"VAR n : BOOL := 2; END_VAR", "2 is no BOOL"},
+      {"VAR n : TIME := 5; END_VAR", "a duration is written T#5s"},
+      {"VAR CONSTANT n : USINT := 300; END_VAR", "300 does not fit into USINT"},
+      {"VAR RETAIN n : INT := 70000; END_VAR", "70000 does not fit into INT"},
+      {"VAR n : ARRAY [0..2] OF SINT := [1, 2(128)]; END_VAR", "128 does not fit into SINT"},
+      {"VAR n : Pair := (first := 300); END_VAR", "300 does not fit into USINT"},
+      {"VAR n : Bad; END_VAR", "256 does not fit into USINT"},
+      {"VAR n : INT (0..10) := 11; END_VAR", "11 is not within 0..10"},
+      {"VAR n : CTU := (PV := 32768); END_VAR", "32768 does not fit into INT"}};
+  const std::string types =
+      "TYPE Pair : STRUCT first : USINT; END_STRUCT; Bad : STRUCT first : USINT := 256; END_STRUCT; END_TYPE\n";
+  for (const auto& [declaration, message] : wrong) {
+    const IecOutput output =
+        proofOfIec("//@ prove p: q\n" + types + iecProgram(declaration + " VAR q : BOOL; END_VAR", "q := TRUE;"));
+    EXPECT_TRUE(output.has(message) && output.exit == 2) << declaration << "\n" << output.text;
+  }
+  // The ends of the types themselves fit.
+  const std::string right =
+      "VAR a : INT := -32768; b : USINT := 255; c : ULINT := 18446744073709551615; d : LINT := -9223372036854775808; "
+      "e : INT (0..10) := 10; f : BOOL := 1; g : TIME := T#0s; h : TIME := 0; i : REAL := 3; k : BYTE := 16#FF; "
+      "END_VAR";
+  EXPECT_EQ(findingsIec(readIecText(types + iecProgram(right, "f := TRUE;"))), "");
+}
+
+// The value that an input of a function has where a call leaves it out.
+TEST(TypeLimits, ADefaultOfAFunctionFitsIntoItsType) {
+  const std::string add =
+      "FUNCTION Add : INT\nVAR_INPUT x : INT; y : SINT := 200; END_VAR\nAdd := x + y;\nEND_FUNCTION\n";
+  const IecOutput output =
+      proofOfIec("//@ prove p: n = 1\n" + add + iecProgram("VAR n : INT; END_VAR", "n := Add(x := 1);"));
+  EXPECT_TRUE(output.has("200 does not fit into SINT") && !output.has("PROVED")) << output.text;
 }
 
 }  // namespace
