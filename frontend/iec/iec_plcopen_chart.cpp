@@ -86,12 +86,37 @@ class PlcopenChart {
     bodies_.report(node, code, std::move(message));
   }
 
-  /// CODESYS writes the actions at entry and exit of a step there.
+  /// CODESYS writes there which actions run at the entry of a step, while it is active and at its exit; without a text
+  /// there is none. Its name and two values that say nothing stand there too. What else it says is not known.
   void refuseVendorActions(const pugi::xml_node& node) {
     for (const pugi::xml_node& data : childNamed(node, "addData").children()) {
       const std::string_view name = data.attribute("name").value();
-      if (name.ends_with("/sfc/element"))
-        refuse(node, "actions of CODESYS at entry and exit of a step are not modelled", Syntax::IecNotModelled);
+      if (name.ends_with("/sfc/element")) refuseVendorAttributes(node, data);
+    }
+  }
+  void refuseVendorAttributes(const pugi::xml_node& node, const pugi::xml_node& data) {
+    enum class Meaning : std::uint8_t { Name, Switch, Number, Action };
+    static const std::map<std::string_view, Meaning> meanings = {
+        {"38391c6d-6d4a-42f8-8ee7-9f45e5adafa8", Meaning::Name},
+        {"01580b27-6378-448b-8ecb-0e4b795b58d6", Meaning::Switch},
+        {"bc882c11-1e91-4dd8-a6b8-2075724ed18b", Meaning::Number},
+        {"6844a48e-46c2-4cc8-a185-a478f3b99cc0", Meaning::Name},  // initial: the step says it itself
+        {"700a583f-b4d4-43e4-8c14-629c7cd3bec8", Meaning::Action},
+        {"a6b08bd8-b696-47e3-9cbf-7408b61c9ff8", Meaning::Action},
+        {"a2621e18-7de3-4ea6-ae6d-89e9e0b7befd", Meaning::Action}};
+    for (const pugi::xml_node& attribute : childNamed(data, "attributes").children()) {
+      const std::string value = foldedName(attribute.text().get());
+      if (attribute.type() != pugi::node_element || value.find_first_not_of(" \t\r\n") == std::string::npos) continue;
+      const std::string_view guid = attribute.attribute("guid").value();
+      const auto meaning = meanings.find(guid);
+      if (meaning != meanings.end() && meaning->second == Meaning::Name) continue;
+      if (meaning != meanings.end() && meaning->second == Meaning::Switch && value == "FALSE") continue;
+      if (meaning != meanings.end() && meaning->second == Meaning::Number && value == "0") continue;
+      const bool isAction = meaning != meanings.end() && meaning->second == Meaning::Action;
+      refuse(node,
+             isAction ? "actions of CODESYS at entry and exit of a step are not modelled"
+                      : fmt::format("what {} of CODESYS says of a step is not known", excerpt(guid)),
+             Syntax::IecNotModelled);
     }
   }
 

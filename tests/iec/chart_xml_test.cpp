@@ -181,6 +181,30 @@ TEST(IecChartXml, ActionsInAllLanguages) {
     EXPECT_TRUE(output.has(part)) << part << "\n" << output.text;
 }
 
+/// The first step, A, with what CODESYS says of it.
+std::string codesysStep(const std::string& guid, const std::string& value) {
+  std::string text = stepNamed(1, "A", {}, true);
+  return text.insert(text.find("</step>"),
+                     "<addData><data name=\"http://www.3s-software.com/plcopenxml/sfc/element\" "
+                     "handleUnknown=\"implementation\"><attributes xmlns=\"\"><attribute guid=\"" +
+                         guid + "\">" + value + "</attribute></attributes></data></addData>");
+}
+
+// Its name, values that say nothing, and actions that are not there change nothing: A is left with x.
+TEST(IecChartXml, WhatCodesysSaysOfAStepWithoutActionsIsRead) {
+  const std::pair<std::string, std::string> said[] = {{"38391c6d-6d4a-42f8-8ee7-9f45e5adafa8", "A"},
+                                                      {"01580b27-6378-448b-8ecb-0e4b795b58d6", "FALSE"},
+                                                      {"bc882c11-1e91-4dd8-a6b8-2075724ed18b", "0"},
+                                                      {"6844a48e-46c2-4cc8-a185-a478f3b99cc0", "TRUE"},
+                                                      {"700a583f-b4d4-43e4-8c14-629c7cd3bec8", ""}};
+  for (const auto& [guid, value] : said) {
+    const IecOutput output =
+        proofOfChart(project(codesysStep(guid, value) + transition(2, 1, inlineText("x")) + stepNamed(3, "B", {2})),
+                     "prove p: first_scan and not x implies not B.X\nreach n: B.X\n");
+    EXPECT_TRUE(output.has("PROVED  p") && output.has("REACHABLE  n")) << guid << "\n" << output.text;
+  }
+}
+
 struct WrongXml {
   std::string chart, message;
 };
@@ -213,11 +237,10 @@ TEST(IecChartXml, WrongChartsAreNamedAndNotProved) {
            "</variable></coil>",
        "<coil> in a chart belongs to no condition"},
       {start + ends + "<gadget localId=\"9\"/>", "element <gadget> is not known in <SFC>"},
-      {"<step localId=\"1\" name=\"A\" initialStep=\"true\"><position x=\"0\" y=\"0\"/><addData><data "
-       "name=\"http://www.3s-software.com/plcopenxml/sfc/element\" "
-       "handleUnknown=\"implementation\"/></addData></step>" +
-           ends,
+      {codesysStep("a6b08bd8-b696-47e3-9cbf-7408b61c9ff8", "A_entry") + ends,
        "actions of CODESYS at entry and exit of a step are not modelled"},
+      {codesysStep("01580b27-6378-448b-8ecb-0e4b795b58d6", "TRUE") + ends, "of CODESYS says of a step is not known"},
+      {codesysStep("00000000-0000-0000-0000-000000000000", "1") + ends, "of CODESYS says of a step is not known"},
   };
   for (const WrongXml& row : rows) {
     SCOPED_TRACE(row.chart);
