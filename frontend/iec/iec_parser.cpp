@@ -100,16 +100,6 @@ class ProjectParser : private ChartParser {
     fail(fmt::format("TYPE, FUNCTION, FUNCTION_BLOCK, PROGRAM or CONFIGURATION is needed here{}", found()));
   }
 
-  /// What nobody uses does no harm to the rest, and each use of it is an error at its place.
-  void leaveOut(std::uint32_t begin, const std::string& message, Severity severity, Syntax code = Syntax::IecTaken) {
-    const std::size_t before = sink_.program().findings.size();
-    sink_.report(code, spanFrom(begin), message);
-    if (sink_.program().findings.size() == before) return;
-    Finding& told = sink_.program().findings.back();
-    told.help = "what uses it is not covered; the rest is read";
-    told.severity = severity;
-  }
-
   /// A variable of the interface stands for an instance that is not known: it is a reference.
   void interface() {
     const std::uint32_t begin = take().begin;
@@ -154,7 +144,7 @@ class ProjectParser : private ChartParser {
   /// Who may use something says nothing about what it does.
   void modifiers() {
     while (isAny({"PUBLIC", "PRIVATE", "PROTECTED", "INTERNAL", "FINAL", "ABSTRACT", "OVERRIDE"}) &&
-           peek(1).kind == TokenKind::Word && !foldedName(peek(1).text).starts_with("VAR"))
+           peek(1).kind == TokenKind::Word && !isSectionWord(foldedName(peek(1).text)))
       take();
   }
 
@@ -370,7 +360,7 @@ class ProjectParser : private ChartParser {
         made.result = type();
         accept(";");
       }
-      while (peek().kind == TokenKind::Word && foldedName(peek().text).starts_with("VAR")) variables(made.variables);
+      while (peek().kind == TokenKind::Word && isSectionWord(foldedName(peek().text))) variables(made.variables);
       made.isWhole = !isLineLost_ && !hasParent;
       while (beginsMember()) member(made);
       if (beginsChart())

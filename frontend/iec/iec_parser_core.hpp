@@ -9,6 +9,11 @@
 
 namespace rungproof::iec {
 
+/// VAR, VAR_INPUT and the like. A name may begin so too.
+bool isSectionWord(const std::string& folded);
+/// END_IF, END_VAR and the like.
+bool isEndWord(const std::string& folded);
+
 class ParserCore {
  protected:
   ParserCore(const SourceText& source, SyntaxSink& sink, std::vector<Directive>& directives)
@@ -59,6 +64,16 @@ class ParserCore {
   Span spanFrom(std::uint32_t begin) const {
     const std::uint32_t end = at_ > 0 ? tokens_[at_ - 1].end : begin;
     return source_.span(begin, std::max(begin, end));
+  }
+
+  /// What nobody uses does no harm to the rest, and each use of it is an error at its place.
+  void leaveOut(std::uint32_t begin, const std::string& message, Severity severity, Syntax code = Syntax::IecTaken) {
+    const std::size_t before = sink_.program().findings.size();
+    sink_.report(code, spanFrom(begin), message);
+    if (sink_.program().findings.size() == before) return;
+    Finding& told = sink_.program().findings.back();
+    told.help = "what uses it is not covered; the rest is read";
+    told.severity = severity;
   }
 
   /// Keeps hostile nesting from exhausting the stack.

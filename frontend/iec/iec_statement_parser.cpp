@@ -24,7 +24,52 @@ constexpr std::array<Level, 8> levels = {{{"OR", "OR_ELSE"},
                                           {"*", "/", "MOD"},
                                           {"**"}}};
 
+template <std::size_t N>
+bool isOneOf(const std::array<std::string_view, N>& words, std::string_view folded) {
+  return std::ranges::find(words, folded) != words.end();
+}
+
 }  // namespace
+
+bool isSectionWord(const std::string& folded) {
+  static constexpr std::array<std::string_view, 12> words = {"VAR",        "VAR_INPUT",    "VAR_OUTPUT", "VAR_IN_OUT",
+                                                             "VAR_TEMP",   "VAR_EXTERNAL", "VAR_GLOBAL", "VAR_ACCESS",
+                                                             "VAR_CONFIG", "VAR_STAT",     "VAR_INST",   "VAR_GENERIC"};
+  return isOneOf(words, folded);
+}
+
+bool isEndWord(const std::string& folded) {
+  static constexpr std::array<std::string_view, 29> words = {"END_IF",
+                                                             "END_CASE",
+                                                             "END_FOR",
+                                                             "END_WHILE",
+                                                             "END_REPEAT",
+                                                             "END_VAR",
+                                                             "END_STRUCT",
+                                                             "END_UNION",
+                                                             "END_TYPE",
+                                                             "END_STEP",
+                                                             "END_TRANSITION",
+                                                             "END_ACTION",
+                                                             "END_PROGRAM",
+                                                             "END_FUNCTION_BLOCK",
+                                                             "END_FUNCTION",
+                                                             "END_METHOD",
+                                                             "END_PROPERTY",
+                                                             "END_GET",
+                                                             "END_SET",
+                                                             "END_INTERFACE",
+                                                             "END_CLASS",
+                                                             "END_NAMESPACE",
+                                                             "END_RESOURCE",
+                                                             "END_CONFIGURATION",
+                                                             "END_DATA_BLOCK",
+                                                             "END_CONST",
+                                                             "END_LABEL",
+                                                             "END_REGION",
+                                                             "END_ORGANIZATION_BLOCK"};
+  return isOneOf(words, folded);
+}
 
 Statements StatementParser::wholeBody() {
   Statements all = statements();
@@ -55,7 +100,7 @@ bool StatementParser::endsStatements() const {
   const IecToken& token = peek();
   if (token.kind != TokenKind::Word) return false;
   const std::string word = foldedName(token.text);
-  return word.starts_with("END_") || word == "ELSE" || word == "ELSIF" || word == "UNTIL" || word == "__CATCH" ||
+  return isEndWord(word) || word == "ELSE" || word == "ELSIF" || word == "UNTIL" || word == "__CATCH" ||
          word == "__FINALLY" || word == "__ENDTRY" || beginsMember();
 }
 
@@ -103,8 +148,7 @@ Statement StatementParser::statement() {
     made.span = spanFrom(begin);
     // The last word of the one, and the brace of code in C, end them. Behind END_IF and its kin CODESYS takes none.
     const bool isLastWord = !source_.isScl && made.kind != StatementKind::Assign &&
-                            tokens_[at_ - 1].kind == TokenKind::Word &&
-                            foldedName(tokens_[at_ - 1].text).starts_with("END_");
+                            tokens_[at_ - 1].kind == TokenKind::Word && isEndWord(foldedName(tokens_[at_ - 1].text));
     const bool isClosed = made.kind == StatementKind::Try || made.kind == StatementKind::Unread || isLastWord ||
                           (source_.isScl && made.kind == StatementKind::Label);
     if (!accept(";") && !isClosed && !endsStatements()) fail(fmt::format("';' is needed here{}", found()));
@@ -162,8 +206,8 @@ Statement StatementParser::plain() {
     take();
   } else {
     if (peek().text.starts_with("{")) {
-      sink_.report(Syntax::IecNotModelled, source_.span(peek().begin, peek().end), "code in C is not modelled");
       take();
+      leaveOut(begin, "code in C is not modelled: it is left out", Severity::Warning);
       accept(";");
       made.kind = StatementKind::Unread;
       return made;

@@ -94,5 +94,17 @@ TEST(IecContract, CodeInCIsNotCovered) {  // it may write anything; a directive 
             "PROVED");
 }
 
+// OpenPLC Editor and Beremiz put such blocks in front of each program. Nobody calls this one; where it is called, what
+// it does is not known.
+TEST(IecContract, CodeInCOfABlockThatNobodyCallsSpoilsNothing) {
+  const std::string block =
+      "FUNCTION_BLOCK Writer\nVAR_INPUT on : BOOL; END_VAR\nVAR last : BOOL; END_VAR\n"
+      "IF on AND NOT last THEN\n{{ put(1); }}\nEND_IF;\nlast := on;\nEND_FUNCTION_BLOCK\n";
+  const std::string variables = "VAR_INPUT a : BOOL; END_VAR VAR w : Writer; END_VAR VAR_OUTPUT q : BOOL; END_VAR";
+  EXPECT_EQ(verdictOf(block + iecProgram(variables, "q := a;"), "q implies a"), "PROVED");
+  EXPECT_EQ(verdictOf(block + iecProgram(variables, "q := a;"), "never q"), "VIOLATED");
+  EXPECT_EQ(verdictOf(block + iecProgram(variables, "q := a; w(on := a);"), "q implies a"), "NOT COVERED");
+}
+
 }  // namespace
 }  // namespace rungproof

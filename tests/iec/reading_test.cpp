@@ -367,5 +367,23 @@ TEST(IecBuiltin, ErrorsAtRunTimeAreAsked) {
   EXPECT_FALSE(output.has("10 / 3")) << output.text;
 }
 
+// Only the whole words are keywords.
+TEST(IecReading, NamesMayBeginLikeKeywords) {
+  const std::string declarations =
+      "VAR_INPUT var1, var_in : BOOL; END_VAR VAR end_pos, var_out, VARIABLE, End_If_2, vary : BOOL; END_VAR";
+  for (const std::string first : {"var_out := var_in;", "vary := var1;", "VARIABLE := var1;", "end_pos := FALSE;"})
+    EXPECT_EQ(findingsIec(readIecText(iecProgram(declarations, first))), "") << first;
+  EXPECT_EQ(verdictOf(iecProgram(declarations,
+                                 "IF var_in THEN\nend_pos := TRUE;\nEnd_If_2 := var1;\nELSE\nend_pos := FALSE;\n"
+                                 "END_IF;\nvar_out := end_pos;"),
+                      "var_out = var_in"),
+            "PROVED");
+  // In a list, where they are labels too.
+  EXPECT_EQ(findingsIec(readIecText(iecProgram(declarations,
+                                               "LD var_in\nJMPC var_end\nLD var1\nST end_pos\n"
+                                               "var_end:\nLD var1\nST var_out"))),
+            "");
+}
+
 }  // namespace
 }  // namespace rungproof
