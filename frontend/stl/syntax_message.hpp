@@ -191,7 +191,7 @@ inline constexpr std::array<SyntaxMessage, static_cast<std::size_t>(Syntax::coun
     {Syntax::IecText, "SYN056", "Text of IEC 61131-3 cannot be read", Severity::Error,
      "see the place; reading went on behind the statement or declaration"},
     {Syntax::IecType, "SYN057", "Types or values of IEC 61131-3 do not fit", Severity::Error,
-     "write a conversion such as INT_TO_REAL, or correct the declaration"},
+     "correct the value or the declaration; from type to type write a conversion such as INT_TO_REAL"},
     {Syntax::IecName, "SYN058", "Name of IEC 61131-3 is not known", Severity::Error,
      "declare it, correct its spelling, or add the file that has it"},
     {Syntax::IecNotModelled, "SYN059", "Not modelled in IEC 61131-3 programs", Severity::Error,
