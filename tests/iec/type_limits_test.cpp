@@ -86,10 +86,11 @@ TEST(TypeLimits, CopiesOfWhatComesFromOutsideAreKeptAsTheyCame) {
   EXPECT_TRUE(proofOfIec(program("")).has("PROVED  first"));
 }
 
-// A statement with the number is refused, and so is a declaration: its bits are another number.
+// A statement with the number is refused, and so is a declaration: its bits are another number. Those from 32768
+// to 65535 are told as patterns of an INT.
 TEST(TypeLimits, AnInitialValueFitsIntoItsType) {
   const std::pair<std::string, std::string> wrong[] = {
-      {"VAR n : INT := 32768; END_VAR", "32768 does not fit into INT"},
+      {"VAR n : INT := 65536; END_VAR", "65536 does not fit into INT"},
       {"VAR n : SINT := -129; END_VAR", "-129 does not fit into SINT"},
       {"VAR n : USINT := 256; END_VAR", "256 does not fit into USINT"},
       {"VAR n : UDINT := -1; END_VAR", "-1 does not fit into UDINT"},
@@ -100,11 +101,11 @@ TEST(TypeLimits, AnInitialValueFitsIntoItsType) {
       {"VAR n : TIME := 5; END_VAR", "a duration is written T#5s"},
       {"VAR CONSTANT n : USINT := 300; END_VAR", "300 does not fit into USINT"},
       {"VAR RETAIN n : INT := 70000; END_VAR", "70000 does not fit into INT"},
-      {"VAR n : ARRAY [0..2] OF SINT := [1, 2(128)]; END_VAR", "128 does not fit into SINT"},
+      {"VAR n : ARRAY [0..2] OF SINT := [1, 2(256)]; END_VAR", "256 does not fit into SINT"},
       {"VAR n : Pair := (first := 300); END_VAR", "300 does not fit into USINT"},
       {"VAR n : Bad; END_VAR", "256 does not fit into USINT"},
       {"VAR n : INT (0..10) := 11; END_VAR", "11 is not within 0..10"},
-      {"VAR n : CTU := (PV := 32768); END_VAR", "32768 does not fit into INT"}};
+      {"VAR n : CTU := (PV := 65536); END_VAR", "65536 does not fit into INT"}};
   const std::string types =
       "TYPE Pair : STRUCT first : USINT; END_STRUCT; Bad : STRUCT first : USINT := 256; END_STRUCT; END_TYPE\n";
   for (const auto& [declaration, message] : wrong) {
@@ -123,10 +124,10 @@ TEST(TypeLimits, AnInitialValueFitsIntoItsType) {
 // The value that an input of a function has where a call leaves it out.
 TEST(TypeLimits, ADefaultOfAFunctionFitsIntoItsType) {
   const std::string add =
-      "FUNCTION Add : INT\nVAR_INPUT x : INT; y : SINT := 200; END_VAR\nAdd := x + y;\nEND_FUNCTION\n";
+      "FUNCTION Add : INT\nVAR_INPUT x : INT; y : SINT := 300; END_VAR\nAdd := x + y;\nEND_FUNCTION\n";
   const IecOutput output =
       proofOfIec("//@ prove p: n = 1\n" + add + iecProgram("VAR n : INT; END_VAR", "n := Add(x := 1);"));
-  EXPECT_TRUE(output.has("200 does not fit into SINT") && !output.has("PROVED")) << output.text;
+  EXPECT_TRUE(output.has("300 does not fit into SINT") && !output.has("PROVED")) << output.text;
 }
 
 }  // namespace
