@@ -66,6 +66,10 @@ class RloReader final : public LogicReader {
       case StatementRole::ClearRlo:
         state_ = {trees().constant(role == StatementRole::SetRlo), std::nullopt, false};
         return;
+      case StatementRole::OpenRelay:
+      case StatementRole::CloseRelay:  // a new string begins; until then the RLO is 1
+        state_ = {trees().constant(true), std::nullopt, false};
+        return;
       case StatementRole::JumpByRlo:
       case StatementRole::JumpKeepingRlo:
       case StatementRole::EndByRlo:

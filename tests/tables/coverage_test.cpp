@@ -55,6 +55,17 @@ TEST_F(Coverage, CountsNetworksByPowerFlow) {
   EXPECT_EQ(c["networks"]["missing"], nlohmann::json({"MAIN:2"}));
 }
 
+// MCR( ends the string: I0.1 alone is the condition of Q0.0, and decides as 1 and as 0 while the relay is on.
+TEST_F(Coverage, AMasterControlRelayBeginsANewString) {
+  const std::string program = write("r.awl",
+                                    "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nMCRA;\nA I 0.0;\nMCR(;\nA I 0.1;\n"
+                                    "= Q 0.0;\n)MCR;\nMCRD;\nEND_ORGANIZATION_BLOCK\n");
+  const nlohmann::json c =
+      of(program, write("t.csv", "test,set I0.0,set I0.1,expect Q0.0\nt,1,1,1\nt,1,0,0\nt,0,1,0\n"));
+  EXPECT_EQ(figures(c["mcdc"]), Figures(1, 1));
+  EXPECT_EQ(figures(c["contacts"]), Figures(2, 2));
+}
+
 // EU lets the change of I0.0 through once: I0.0 decides as 1 in that scan, as 0 in any scan whose scan before had 0.
 TEST_F(Coverage, LooksThroughEdges) {
   const std::string program = write("e.awl", "Network 1\nLD I0.0\nEU\nS Q0.0, 1\n");
