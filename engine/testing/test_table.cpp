@@ -20,7 +20,7 @@ std::string waitText(const TestWait& wait) {
 
 std::string rangeText(const TestRange& range, SignalType type) {
   const std::string low = numberText(range.low, type);
-  return range.low == range.high ? low : low + ".." + numberText(range.high, type);
+  return range.low == range.high || range.isNone() ? low : low + ".." + numberText(range.high, type);
 }
 
 bool TestTable::expectsAnything() const {

@@ -25,7 +25,9 @@ std::string waitText(const TestWait& wait);
 struct TestRange {
   TraceNumber low = 0, high = 0;
 
-  bool holds(TraceNumber value) const { return low <= value && value <= high; }
+  /// No number of a REAL is expected where both ends are none.
+  bool isNone() const { return low != low && high != high; }
+  bool holds(TraceNumber value) const { return isNone() ? value != value : low <= value && value <= high; }
 };
 std::string rangeText(const TestRange& range, SignalType type);
 

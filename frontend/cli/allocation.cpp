@@ -1,5 +1,5 @@
-// Memory for objects comes from mimalloc, and where there is none std::bad_alloc is thrown. Its own operators, which are
-// written in C, end the program there: a proof that needs too much would take all verdicts with it.
+// Memory for objects comes from mimalloc, and where there is none std::bad_alloc is thrown. Its own operators, which
+// are written in C, end the program there: a proof that needs too much would take all verdicts with it.
 #include <mimalloc.h>
 
 #include <new>

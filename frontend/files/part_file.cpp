@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 std::array<std::atomic<const fs::path*>, 64> openParts;
 
 /// nullptr where so many are open already.
-std::atomic<const fs::path*>* placeOf(const fs::path& part) {
+std::atomic<const fs::path*>* openPlaceOf(const fs::path& part) {
   for (std::atomic<const fs::path*>& place : openParts) {
     const fs::path* none = nullptr;
     if (place.compare_exchange_strong(none, &part)) return &place;
@@ -29,7 +29,10 @@ std::atomic<const fs::path*>* placeOf(const fs::path& part) {
 std::string partOf(const std::string& target) { return target + fmt::format(".{}.part", processNumber()); }
 
 PartFile::PartFile(const fs::path& target, Readers readers)
-    : target_(target), name_(partOf(pathName(target))), known_(placeOf(name_)), descriptor_(openNew(name_, readers)) {
+    : target_(target),
+      name_(partOf(pathName(target))),
+      known_(openPlaceOf(name_)),
+      descriptor_(openNew(name_, readers)) {
   isThere_ = isOpen();
 }
 

@@ -43,7 +43,7 @@ bool isWithoutResult(const DrawnElement& element) { return !element.code.empty()
 /// Whether ENO tells more than that EN is TRUE.
 bool tellsByEnabled(const DrawnElement& element) {
   const std::string name = foldedName(element.text);
-  return name == "DIV" || name == "MOD";
+  return name == "DIV" || name == "MOD" || isPartialFunction(name);
 }
 
 }  // namespace

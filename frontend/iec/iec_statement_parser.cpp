@@ -25,7 +25,7 @@ constexpr std::array<Level, 8> levels = {{{"OR", "OR_ELSE"},
                                           {"**"}}};
 
 template <std::size_t N>
-bool isOneOf(const std::array<std::string_view, N>& words, std::string_view folded) {
+bool isAmongWords(const std::array<std::string_view, N>& words, std::string_view folded) {
   return std::ranges::find(words, folded) != words.end();
 }
 
@@ -35,7 +35,7 @@ bool isSectionWord(const std::string& folded) {
   static constexpr std::array<std::string_view, 12> words = {"VAR",        "VAR_INPUT",    "VAR_OUTPUT", "VAR_IN_OUT",
                                                              "VAR_TEMP",   "VAR_EXTERNAL", "VAR_GLOBAL", "VAR_ACCESS",
                                                              "VAR_CONFIG", "VAR_STAT",     "VAR_INST",   "VAR_GENERIC"};
-  return isOneOf(words, folded);
+  return isAmongWords(words, folded);
 }
 
 bool isEndWord(const std::string& folded) {
@@ -68,7 +68,7 @@ bool isEndWord(const std::string& folded) {
                                                              "END_LABEL",
                                                              "END_REGION",
                                                              "END_ORGANIZATION_BLOCK"};
-  return isOneOf(words, folded);
+  return isAmongWords(words, folded);
 }
 
 Statements StatementParser::wholeBody() {

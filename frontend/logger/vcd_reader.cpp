@@ -219,7 +219,7 @@ class VcdReader {
       const std::optional<TraceNumber> number = numberIn(text);
       if (!number)
         fail(token, fmt::format("'{}' is no number", token.text), "write r and a decimal number, such as r1.5");
-      return number && std::isfinite(*number) ? numberText(*number, SignalType::LongReal) : "";
+      return number && !std::isnan(*number) ? numberText(*number, SignalType::LongReal) : "";
     }
     if (text.empty() || text.find_first_not_of("01xXzZuUwWlLhH-") != std::string_view::npos) {
       fail(token, fmt::format("'{}' holds something else than 0, 1, x and z", token.text), "export the dump again");

@@ -336,10 +336,9 @@ class Parser {
       needNumber(e, arg, at.span);
       needSigns(e, {arg}, at.span);
       const ExprNode& n = e.nodes[arg];
-      const bool isReal = n.type == ExprType::Real;
       return add(e, {.op = ExprOp::Negate,
                      .type = n.type,
-                     .width = static_cast<std::uint8_t>(isReal ? n.width : std::min(64, n.width + 1)),
+                     .width = static_cast<std::uint8_t>(n.type == ExprType::Real ? n.width : std::min(64, n.width + 1)),
                      .args = {arg}});
     }
     return primary(e);
@@ -432,10 +431,9 @@ class Parser {
     if ((hasBit && !asValue) || (!areaInfo(o.area).width && o.width == Width::Bit)) return add(e, std::move(node));
     node.type = o.form == ConstantForm::Real ? ExprType::Real : ExprType::Number;
     node.width = signedWidth(o);
-    if (target_ == nullptr || !dialectOf(*target_).memory.isOfVariables) {
-      node.isWhole = o.form == ConstantForm::SignedDecimal;
-      node.operand.form = ConstantForm::Decimal;
-    }
+    const bool isMemory = target_ == nullptr || !dialectOf(*target_).memory.isOfVariables;
+    node.isWhole = isMemory && o.form == ConstantForm::SignedDecimal;
+    if (isMemory) node.operand.form = ConstantForm::Decimal;
     return add(e, std::move(node));
   }
   /// The value of a timer or counter instead of its bit; of an S5 timer the ms that are left.

@@ -80,6 +80,16 @@ TEST(DrawnBox, ADivisionThatNobodyReadsMayFault) {  // z starts with 0
   EXPECT_TRUE(output.has("VIOLATED") && output.has("division by zero")) << output.text;
 }
 
+// Whether a root of a negative number is an error nobody says: ENO may be FALSE although EN is TRUE, never the reverse.
+TEST(DrawnBox, EnoOfWhatCanFailHasAnyValue) {
+  const std::string text = drawingText("LD",
+                                       enabledBox("SQRT", {{"IN", {"9"}}}, {"ENO", "OUT"}) + inElement(9, "x") +
+                                           coilElement(4, {"3.ENO"}, "q", "", 90, 10),
+                                       "", {"a:BOOL@%IX0.0", "q:BOOL", "x:REAL"});
+  EXPECT_EQ(verdictIn(text, "q implies a"), "PROVED");
+  EXPECT_EQ(verdictIn(text, "a implies q"), "VIOLATED");
+}
+
 TEST(DrawnBox, AnActionOfTheBlockIsCalled) {
   std::string text = drawingText("LD", enabledBox("Count", {}, {"ENO"}));
   text.insert(text.find("<body>"),

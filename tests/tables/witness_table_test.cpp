@@ -126,5 +126,15 @@ TEST_F(MendedTable, OfAGoalHoldsForItsProgram) {
   EXPECT_NE(contentOf(table).find(",1,"), std::string::npos) << contentOf(table);
 }
 
+// x is no number, and so is its double: what is recorded is passed.
+TEST_F(WitnessTable, NoNumberIsExpectedWhereThereIsNone) {
+  const std::string program = write("n.st",
+                                    "PROGRAM P VAR_INPUT x : REAL; END_VAR VAR_OUTPUT y : REAL; END_VAR\n"
+                                    "y := x * 2.0;\nEND_PROGRAM\n");
+  EXPECT_EQ(run({program, "--table", write("n.csv", "test,wait,set x,expect y\nT,1 scan,nan,nan\n")}), 0) << out_;
+  EXPECT_EQ(run({program, "--table", write("w.csv", "test,wait,set x,expect y\nT,1 scan,1.0,nan\n")}), 1) << out_;
+  EXPECT_NE(out_.find("expected nan, actual 2"), std::string::npos) << out_;
+}
+
 }  // namespace
 }  // namespace rungproof::test
