@@ -61,6 +61,15 @@ bool hasInput(const iec::BlockSyntax& block, std::initializer_list<std::string_v
   });
 }
 
+/// t(IN := FALSE): a timer that each scan calls is taken back on purpose, so that it begins anew in the next one.
+bool isTakenBack(const InstanceCall& call) {
+  const std::vector<iec::Argument>& given = call.statement->target->arguments;
+  return std::ranges::any_of(given, [](const iec::Argument& one) {
+    return iec::foldedName(one.name) == "IN" && one.value != nullptr && one.value->kind == iec::ExprKind::Literal &&
+           iec::foldedName(one.value->text) == "FALSE";
+  });
+}
+
 void checkIec008(const Facts& facts, FindingSink& sink) {
   const iec::VariableUses& uses = facts.variableUses();
   for (const iec::DeclaredVariable& row : uses.all()) {
@@ -78,6 +87,7 @@ void checkIec008(const Facts& facts, FindingSink& sink) {
       const auto before = std::find_if(calls.begin(), calls.begin() + static_cast<std::ptrdiff_t>(i),
                                        [&](const InstanceCall& call) { return canBothRun(call.path, calls[i].path); });
       if (before == calls.begin() + static_cast<std::ptrdiff_t>(i)) continue;
+      if (isTimer && before->path.empty() && isTakenBack(calls[i])) continue;
       Finding& finding =
           iec::reportOn(sink, row, calls[i].statement->target->span,
                         fmt::format("{}, a {}, is called twice in one scan", row.variable->name, of->name));
@@ -103,8 +113,8 @@ extern constexpr Rule iec008_called_twice = {
     .severity = Severity::Warning,
     .needs = Needs::Flow,
     .detects =
-        "an instance of a standard timer, counter or edge that one scan can call at two places; a note for an edge or "
-        "a counter that is called in one branch only",
+        "an instance of a standard timer, counter or edge that one scan can call at two places, other than with "
+        "IN := FALSE to take a timer back; a note for an edge or a counter that is called in one branch only",
     .why =
         "the second call sees what the first one has left: edges disappear, and the last IN of a timer wins; a call "
         "that is left out does not see the edge at all",
