@@ -74,6 +74,8 @@ class Checker {
     if ((role == Role::Hsc || role == Role::Hdef) && i == 0) return fastCounter(instruction, operand, value);
     if (desc.type == Type::Subroutine) return subroutine(instruction, operand, value);
     if (desc.name == "EVNT") return event(instruction, operand, value);
+    if (role == Role::Pls) olderFirmware(instruction, operand, value, features_.pulseOutputs);
+    if (role == Role::Pid) olderFirmware(instruction, operand, value, features_.pidLoops);
     if (!desc.hasRanges() || !valueIsInRange(desc, operand.value, seriesOf(facts_.target().cpu)) ||
         valueIsInRange(desc, operand.value, cpuBit(facts_.target().cpu)))
       return;
@@ -83,6 +85,17 @@ class Checker {
                                            instruction.desc->manual)
                              : fmt::format("{} of {} must be {} on the {}, not {} ({})", desc.name,
                                            Facts::text(instruction), ranges, cpu(), value, instruction.desc->manual))
+        .address = toString(operand);
+  }
+
+  /// Numbers that a CPU has by its usual edition, and by the chosen one not yet.
+  void olderFirmware(const Instruction& instruction, const Operand& operand, int number, int has) {
+    const Target& target = facts_.target();
+    const Target usual(target.cpu, usualEdition(target.cpu));
+    const int has28 = roleOf(instruction) == Role::Pls ? cpuFeatures(usual).pulseOutputs : cpuFeatures(usual).pidLoops;
+    if (number < has || number >= has28) return;
+    report(operand.span, fmt::format("{} names number {}; the {} has the numbers 0 to {} ({})",
+                                     Facts::text(instruction), number, cpu(), has - 1, editionText(target.edition)))
         .address = toString(operand);
   }
 
@@ -144,7 +157,8 @@ extern constexpr Rule adr009_feature_not_on_cpu = {
     .needs = Needs::Text,
     .detects =
         "HSC1 or HSC2 on a 221 or 222, port 1 on a 221, 222 or 224, an interrupt event or subroutine number which the "
-        "CPU lacks, an instruction newer than the chosen edition, GET, PUT and the like on a CR20s to CR60s, which "
+        "CPU lacks, an instruction, pulse output or PID loop newer than the chosen edition, GET, PUT and the like on a "
+        "CR20s to CR60s, which "
         "have "
         "no Ethernet, the clock on a CPU that has it only as a module",
     .why = "the program is refused at download with a general error 0082 or 0090",

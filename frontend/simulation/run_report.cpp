@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ir/s7200/call_contract.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "ir/s7300/organization_block.hpp"
 
 namespace rungproof {
@@ -17,6 +18,12 @@ std::string blocksOf(const std::set<int>& events) {
   std::string text;
   for (const int event : events) text += fmt::format("{}OB{}", text.empty() ? "" : ", ", blockOfEvent(event));
   return text;
+}
+
+/// Where the error is described. The S7-200 SMART has taken over the codes, in a manual of its own.
+std::string whereDescribed(const HazardInfo& info, const Target& target) {
+  if (isSmart(target) && !info.code.empty()) return fmt::format("the error codes of the {}", smartManual);
+  return fmt::format("{} of the manual", info.manual);
 }
 
 Finding findingOf(const RunTimeError& error, const Simulator& simulator) {
@@ -34,9 +41,8 @@ Finding findingOf(const RunTimeError& error, const Simulator& simulator) {
   const std::string blocks = isNotLoaded ? blocksOf(simulator.eventsWithoutBlock()) : "";
   finding.message = fmt::format("{}: {}{} (scan {}, {} ms{})", code, info.text, isNotLoaded ? ": " + blocks : "",
                                 error.scan, plainNumber(static_cast<double>(error.timeUs) / 1000), often);
-  finding.help = isNotLoaded
-                     ? fmt::format("an empty {} keeps the CPU in RUN; see {} of the manual", blocks, info.manual)
-                     : fmt::format("see {} of the manual", info.manual);
+  finding.help = fmt::format("{}see {}", isNotLoaded ? fmt::format("an empty {} keeps the CPU in RUN; ", blocks) : "",
+                             whereDescribed(info, program.target));
   finding.confirmation = Confirmation::Confirmed;
   if (error.place == nullptr) {
     const auto main = std::ranges::find(program.pous, PouKind::Main, &Pou::kind);
