@@ -54,10 +54,9 @@ extern constexpr Rule adr012_panel_word_used = {
     .severity = Severity::Warning,
     .needs = Needs::Text,
     .detects =
-        "a word that is declared external, stands in the tag list of a panel (--tags), or of which the symbol table "
-        "says that the panel sets it, and that the program writes and reads as its own; one of which the program has "
-        "written a part in every scan before it reads it; a word of the program that shares a part of its bytes with "
-        "such a word",
+        "a word that a panel sets (declared external, in the tag list of --tags, or said so by the symbol table) and "
+        "that the program also writes and reads as its own; such a word of which the program has written a part in "
+        "every scan before it reads it; a word of the program that shares bytes with such a word",
     .why =
         "panel and program overwrite each other: the operator's value lasts until the next scan, or a calculation goes "
         "on with it",

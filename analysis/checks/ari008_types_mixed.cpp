@@ -299,10 +299,9 @@ extern constexpr Rule ari008_types_mixed = {
     .needs = Needs::Flow,
     .detects =
         "S7-200: a box that takes a REAL where a box of the same rung has just left a whole number, or the reverse; "
-        "S7-300/400: a parameter of a call that is declared as the other type, and a calculation, comparison, transfer "
-        "or timer start right behind the load of a constant or of something that is so declared: INT or DINT with "
-        "REAL, "
-        "S5TIME with TIME",
+        "S7-300/400: INT or DINT taken as REAL, S5TIME taken as TIME, or the reverse, by a parameter of a call, or by "
+        "a "
+        "calculation, comparison, transfer or timer start right behind the load",
     .why = "nothing converts the bits: 5 taken as a REAL is nearly 0, and S5T#2S taken as a TIME is 512 ms",
     .manual = "001:3493, 002:1951-1978, 003:1016-1043",
     .bad = "Network 1\nLD SM0.0\nITD VW0, VD4\n*R 2.0, VD4\n",

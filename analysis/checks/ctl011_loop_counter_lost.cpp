@@ -81,8 +81,7 @@ extern constexpr Rule ctl011_loop_counter_lost = {
     .title = "LOOP without its counter",
     .severity = Severity::Warning,
     .needs = Needs::Flow,
-    .detects =
-        "a loop whose statements change ACCU1 and that does not load in front of LOOP what it has stored in the loop",
+    .detects = "a loop that changes ACCU1 and does not load its stored count again in front of LOOP",
     .why = "LOOP counts down what stands in ACCU1: with another number the loop ends at random or never",
     .manual = "002:1783-1785, 002:2809",
     .bad =

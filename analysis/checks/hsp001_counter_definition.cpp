@@ -91,8 +91,8 @@ extern constexpr Rule hsp001_counter_definition = {
     .severity = Severity::Error,
     .needs = Needs::Flow,
     .detects =
-        "HSC reached before HDEF or without one, HDEF twice for one counter, HDEF with a mode that "
-        "the counter has not (HSC3 and HSC5 count in mode 0 only, and HSC3 in 12)",
+        "HSC reached before HDEF or without one, HDEF twice for one counter, HDEF with a mode that the counter does "
+        "not have (HSC3 and HSC5 count in mode 0 only, HSC3 also in mode 12)",
     .why = "run-time errors 0001 and 000A: the instruction does nothing",
     .manual = "001:4188, 001:4360, 001:13949, 001:13958",
     .bad = "Network 1\nLD SM0.1\nMOVB 16#F8, SMB37\nHSC 0\n",

@@ -55,7 +55,7 @@ extern constexpr Rule hsp002_pulse_output_two_masters = {
     .title = "Q0.0 or Q0.1 has two masters",
     .severity = Severity::Warning,
     .needs = Needs::Flow,
-    .detects = "a pulse output in use whose image bit networks write",
+    .detects = "a pulse output whose image bit a network writes as well",
     .why =
         "an active generator owns the output; its image bit sets the level before and after the train, so it must be 0 "
         "at the start",

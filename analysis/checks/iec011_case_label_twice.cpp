@@ -87,7 +87,7 @@ extern constexpr Rule iec011_case_label_twice = {
     .title = "Label of a CASE twice",
     .severity = Severity::Error,
     .needs = Needs::Text,
-    .detects = "a label of a CASE whose value a label before it has already, by itself or in a range",
+    .detects = "a label of a CASE with a value that an earlier label already has, by itself or in a range",
     .why = "the first label wins, so that the statements of the second one do not run for that value",
     .bad =
         "PROGRAM Main\nVAR_INPUT n : INT; END_VAR\nVAR_OUTPUT q : INT; END_VAR\nCASE n OF\n  1..5: q := 1;\n  5: q := "

@@ -43,12 +43,11 @@ extern constexpr Rule obl003_never_started = {
     .severity = Severity::Warning,
     .needs = Needs::Text,
     .detects =
-        "OB60, OB90 or OB101 on an S7-300, OB102 on an S7-300 other than the 318-2; of the interrupts of an S7-300 "
-        "others "
-        "than OB10, OB20, OB35 and OB40 (of the 318-2 also OB11, OB21, OB32, OB41)",
+        "an organization block that the CPU never starts: OB60, OB90 or OB101 on an S7-300, OB102 on an S7-300 other "
+        "than the 318-2, and on an S7-300 any interrupt block other than OB10, OB20, OB35 and OB40 (on the 318-2 also "
+        "OB11, OB21, OB32 and OB41)",
     .why =
-        "what the block does is never done: an S7-300 begins with OB100 whatever OB101 holds, and has one block of "
-        "each "
+        "the block never runs: an S7-300 starts with OB100 and takes no notice of OB101, and it has one block for each "
         "kind of interrupt",
     .manual = "002:787, 002:810-813, 002:1096, 002:1202, 002:1222, 002:1355, 002:1391",
     .bad =

@@ -134,7 +134,7 @@ void fitConstant(Expr& expr, std::uint32_t constant, std::uint32_t other, std::v
   remarks.push_back(
       fmt::format("{} is never {}: {}it goes from {} to {}",
                   isDeclared ? std::string(std::string_view(address->operand.text)) : toString(address->operand),
-                  number.value, isDeclared ? "" : "as the S7-200 compares it, ", lowest, highest));
+                  number.value, isDeclared ? "" : "as comparisons take it, ", lowest, highest));
 }
 
 void asReals(Expr& expr, std::uint32_t left, std::uint32_t right, std::vector<std::string>& remarks) {

@@ -10,12 +10,19 @@
 #include "frontend/report/long_array.hpp"
 #include "frontend/report_part.hpp"
 #include "frontend/testing/test_output.hpp"
+#include "ir/manual.hpp"
 
 namespace rungproof {
 
 namespace {
 
 Json textOrNull(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+/// Sentences for people, with places of the manual by their titles.
+Json sentences(const std::vector<std::string>& texts) {
+  Json rows = Json::array();
+  for (const std::string& text : texts) rows.push_back(withManualTitles(text));
+  return rows;
+}
 
 /// Whole numbers without a decimal point, as traces hold mostly bits and words.
 Json number(TraceNumber value) {
@@ -30,7 +37,7 @@ Json findingJson(const Finding& finding, const SourceSet& sources) {
   const Position end = sources.file(finding.span.file).position(finding.span.offset + finding.span.length);
   Json json = {{"rule", finding.rule.view()},
                {"severity", severityName(finding.severity)},
-               {"message", finding.message.view()},
+               {"message", withManualTitles(finding.message)},
                {"file", sources.file(finding.span.file).name()},
                {"line", position.line},
                {"column", position.column},
@@ -41,11 +48,11 @@ Json findingJson(const Finding& finding, const SourceSet& sources) {
                {"address", textOrNull(finding.address)},
                {"confirmed", finding.confirmation != Confirmation::Unconfirmed},
                {"trace", textOrNull(finding.trace)},
-               {"help", textOrNull(finding.help)}};
+               {"help", textOrNull(withManualTitles(finding.help))}};
   json["related"] = Json::array();
   for (const RelatedPlace& related : finding.related) {
     const Position place = sources.position(related.span);
-    json["related"].push_back({{"message", related.message.view()},
+    json["related"].push_back({{"message", withManualTitles(related.message)},
                                {"file", sources.file(related.span.file).name()},
                                {"line", place.line},
                                {"column", place.column}});
@@ -67,9 +74,9 @@ Json propertyJson(const PropertyResult& property, const SourceSet* sources) {
           {"seconds", property.seconds},
           {"trace", textOrNull(property.trace)},
           {"certificate", textOrNull(property.certificate)},
-          {"assumptions", property.assumptions},
+          {"assumptions", sentences(property.assumptions)},
           {"networks", textOrNull(property.networks)},
-          {"notes", property.notes}};
+          {"notes", sentences(property.notes)}};
 }
 
 Json selfCheckJson(const std::vector<PlantedFault>& faults) {
@@ -114,8 +121,8 @@ Json programsJson(const Comparison& comparison, const std::vector<std::string>& 
                {"seconds", comparison.seconds},
                {"certificate", comparison.certificate.empty() ? Json(nullptr) : Json(comparison.certificate)},
                {"trace", comparison.trace.empty() ? Json(nullptr) : Json(comparison.trace)},
-               {"notes", comparison.notes},
-               {"assumptions", assumptions}};
+               {"notes", sentences(comparison.notes)},
+               {"assumptions", sentences(assumptions)}};
   return json;
 }
 
@@ -153,9 +160,9 @@ void writeJsonReport(const Report& report, const ReportStyle& style, std::ostrea
   for (const PropertyResult& property : report.properties) {
     Json row = propertyJson(property, report.sources.get());
     // The assumptions of the run hold for each property; who reads one row must see all of them.
-    Json all = report.assumptions;
-    for (const std::string& own : property.assumptions) all.push_back(own);
-    row["assumptions"] = std::move(all);
+    std::vector<std::string> all = report.assumptions;
+    all.insert(all.end(), property.assumptions.begin(), property.assumptions.end());
+    row["assumptions"] = sentences(all);
     json["properties"].push_back(std::move(row));
   }
   if (report.part) json["shard"] = partJson(report);
