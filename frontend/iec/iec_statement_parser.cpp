@@ -170,6 +170,7 @@ void StatementParser::skipStatement() {
 Statement StatementParser::plain() {
   Statement made;
   const std::uint32_t begin = peek().begin;
+  const std::size_t first = at_;
   if (accept("IF")) {
     ifStatement(made);
   } else if (accept("CASE")) {
@@ -231,6 +232,9 @@ Statement StatementParser::plain() {
       inner.span = inner.value->span = spanFrom(begin);
       made.kind = StatementKind::If;
       made.branches.push_back(std::move(branch));
+    } else if (source_.isScl && peek(1).text == "=" && isAny({"+", "-", "*", "/"})) {
+      made.kind = StatementKind::Assign;
+      made.value = withTarget(first);
     } else {
       expectAssignment();
       made.kind = StatementKind::Assign;
@@ -238,6 +242,20 @@ Statement StatementParser::plain() {
       if (!source_.isScl && is(":=")) chain(made);
     }
   }
+  return made;
+}
+
+/// `n += 1` of TIA Portal: what `n := n + (1)` gives. The target, which begins at the token `first`, is read twice.
+ExprPtr StatementParser::withTarget(std::size_t first) {
+  const std::size_t behind = std::exchange(at_, first);
+  ExprPtr made = std::make_unique<Expr>();
+  made->kind = ExprKind::Binary;
+  made->operands.push_back(path());
+  at_ = behind;
+  made->text = take().text;
+  take();
+  made->operands.push_back(expression());
+  made->span = spanFrom(tokens_[first].begin);
   return made;
 }
 
@@ -461,6 +479,7 @@ ExprPtr StatementParser::path() {
         throw Unreadable{};
       }
       PathPart bit{PathPart::Kind::Bit, {}, {}, 0, bits, source_.span(part.begin, part.end)};
+      bit.isSlice = part.kind == TokenKind::Address;
       for (const char c : digits) bit.bit = bit.bit * 10 + static_cast<std::uint32_t>(c - '0');
       bit.bit *= bits;
       made->parts.push_back(std::move(bit));

@@ -47,6 +47,7 @@ class StatementParser : protected ParserCore {
   Statement plain();
   void expectAssignment();
   void chain(Statement& first);
+  ExprPtr withTarget(std::size_t first);
   void tryStatement(Statement& made);
   void ifStatement(Statement& made);
   void caseStatement(Statement& made);

@@ -163,7 +163,7 @@ namespace {
 bool isSclLeaf(const iec::Expr& expr) {
   if (expr.kind == iec::ExprKind::Literal || expr.kind == iec::ExprKind::Text) return true;
   return expr.kind == iec::ExprKind::Path && std::ranges::none_of(expr.parts, [](const iec::PathPart& part) {
-           return part.kind == iec::PathPart::Kind::Index;
+           return part.kind == iec::PathPart::Kind::Index || part.isSlice;
          });
 }
 

@@ -99,17 +99,23 @@ class SclLowering {
   void store(const Operand& place, Kind kind);
   Kind commonKind(const SclValue& left, const SclValue& right, Span span);
 
-  // scl_places.cpp
+  // scl_places.cpp, scl_slices.cpp
   struct Spot {
     Operand operand;  ///< without a computed index: the place; otherwise with the least indices
     BoundOperand bound;
     std::vector<std::pair<const iec::Expr*, s7300::Bounds>> indices;  ///< computed ones
     std::vector<std::int64_t> strides;                                ///< bits from one index to the next
+    const iec::PathPart* slice = nullptr;  ///< `.%X3`, `.%B1`: which part of the value there is meant
   };
   SclValue path(const iec::Expr& expr);
   Spot placeOf(const iec::Expr& expr);
+  Spot placeOrSlice(const iec::Expr& expr);
+  Kind kindOfSlice(const Spot& spot, Kind whole);
+  SclValue slice(const Spot& spot, SclValue whole);
+  void storeSlice(const Spot& spot, Kind whole, const iec::Expr& given);
   std::optional<Spot> computedAddress(const iec::Expr& expr);
-  Operand operandOf(const iec::Expr& expr, std::vector<std::pair<std::size_t, const iec::PathPart*>>& computed);
+  Operand operandOf(const iec::Expr& expr, std::vector<std::pair<std::size_t, const iec::PathPart*>>& computed,
+                    const iec::PathPart** slice = nullptr);
   std::optional<Operand> absolute(const iec::Expr& expr);
   bool isLocal(std::string_view name) const;
   Kind kindOf(const BoundOperand& bound, Span span, bool& isUntyped);

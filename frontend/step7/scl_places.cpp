@@ -94,8 +94,9 @@ std::optional<Operand> SclLowering::absolute(const iec::Expr& expr) {
   const std::vector<iec::PathPart>& parts = expr.parts;
   Operand operand;
   operand.span = expr.span;
-  const bool hasBit = parts.back().kind == PartKind::Bit && parts.back().bits == 1;
-  const std::size_t names = parts.size() - (hasBit ? 1 : 0);
+  const bool isSlice = parts.back().kind == PartKind::Bit && parts.back().isSlice;
+  const bool hasBit = parts.back().kind == PartKind::Bit && parts.back().bits == 1 && !isSlice;
+  const std::size_t names = parts.size() - (hasBit || isSlice ? 1 : 0);
   // Without a bit D0 and DX0 are names of data.
   const auto isPlace = [&] { return readDataAddress(parts[1].name, operand) && (hasBit || operand.size != Size::Bit); };
   if (names == 2 && parts[1].kind == PartKind::Name && isPlace()) {
@@ -129,10 +130,15 @@ std::optional<Operand> SclLowering::absolute(const iec::Expr& expr) {
 
 /// Indices that are no constants stand with the least ones of their bounds; `computed` tells the step of each.
 Operand SclLowering::operandOf(const iec::Expr& expr,
-                               std::vector<std::pair<std::size_t, const iec::PathPart*>>& computed) {
+                               std::vector<std::pair<std::size_t, const iec::PathPart*>>& computed,
+                               const iec::PathPart** slice) {
   using PartKind = iec::PathPart::Kind;
   const std::string& first = expr.parts[0].name;
   const bool isOwn = isLocal(first);
+  const bool isSlice = expr.parts.back().kind == PartKind::Bit && expr.parts.back().isSlice;
+  if (isSlice && slice == nullptr)
+    refuse(expr.parts.back().span, fmt::format("parts of a value such as {} are not covered here", written(expr.span)));
+  if (isSlice) *slice = &expr.parts.back();
   if (!isOwn) {
     if (std::optional<Operand> address = absolute(expr)) return std::move(*address);
   }
@@ -155,7 +161,7 @@ Operand SclLowering::operandOf(const iec::Expr& expr,
       throw Refused{true};
     }
   }
-  for (; next < expr.parts.size(); ++next) {
+  for (const std::size_t end = expr.parts.size() - (isSlice ? 1 : 0); next < end; ++next) {
     const iec::PathPart& part = expr.parts[next];
     if (part.kind == PartKind::Name) {
       operand.path.push_back({sclBareName(part.name), {}, part.span});
@@ -211,10 +217,17 @@ std::optional<SclLowering::Spot> SclLowering::computedAddress(const iec::Expr& e
 }
 
 SclLowering::Spot SclLowering::placeOf(const iec::Expr& expr) {
+  Spot spot = placeOrSlice(expr);
+  if (spot.slice != nullptr)
+    refuse(spot.slice->span, fmt::format("parts of a value such as {} are not covered here", written(expr.span)));
+  return spot;
+}
+
+SclLowering::Spot SclLowering::placeOrSlice(const iec::Expr& expr) {
   if (std::optional<Spot> address = computedAddress(expr)) return std::move(*address);
   std::vector<std::pair<std::size_t, const iec::PathPart*>> computed;
   Spot spot;
-  spot.operand = operandOf(expr, computed);
+  spot.operand = operandOf(expr, computed, &spot.slice);
   if (computed.empty()) {
     spot.bound = bound(spot.operand);
     return spot;
@@ -397,10 +410,10 @@ SclValue SclLowering::path(const iec::Expr& expr) {
     if (word == "ENO" || word == "EN")
       refuse(expr.span, fmt::format("{} has no value outside of a parameter list", word));
   }
-  const Spot spot = placeOf(expr);
+  const Spot spot = placeOrSlice(expr);
   SclValue made;
   made.span = expr.span;
-  if (spot.bound.constant) {
+  if (spot.bound.constant && spot.slice == nullptr) {
     made.isPlain = true;
     made.operand = sclConstant(*spot.bound.constant, expr.span);
     const s7300::Field* const field = isAlone ? scope_.constants->field(sclBareName(first)) : nullptr;
@@ -413,14 +426,15 @@ SclValue SclLowering::path(const iec::Expr& expr) {
   if (spot.indices.empty()) {
     made.isPlain = true;
     made.operand = spot.operand;
-    return made;
+    return spot.slice != nullptr ? slice(spot, made) : made;
   }
+  if (spot.slice != nullptr) kindOfSlice(spot, made.kind);
   const Operand at = pointTo(spot, made.kind, expr.span);
   if (made.kind == Kind::Bool)
     emit("A", at);
   else
     emit("L", at);
-  return made;
+  return spot.slice != nullptr ? slice(spot, made) : made;
 }
 
 void SclLowering::store(const Spot& spot, const SclValue& value, Span span) {

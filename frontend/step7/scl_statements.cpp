@@ -25,12 +25,17 @@ Constant sclNumber(std::int64_t value) {
   return made;
 }
 
-/// Whether OK stands on the left of an assignment somewhere.
+/// OK, and ENO as TIA Portal calls it: what the block hands back.
+bool isOkFlag(const iec::Expr& target) {
+  if (target.parts.size() != 1) return false;
+  const std::string name = iec::foldedName(target.parts[0].name);
+  return name == "OK" || name == "ENO";
+}
+
+/// Whether OK or ENO stands on the left of an assignment somewhere.
 bool writesOk(const iec::Statements& all) {
   return std::ranges::any_of(all, [](const iec::Statement& one) {
-    const bool isOk = one.kind == StatementKind::Assign && one.target->parts.size() == 1 &&
-                      iec::foldedName(one.target->parts[0].name) == "OK";
-    return isOk || writesOk(one.otherwise) ||
+    return (one.kind == StatementKind::Assign && isOkFlag(*one.target)) || writesOk(one.otherwise) ||
            std::ranges::any_of(one.branches, [](const iec::Branch& branch) { return writesOk(branch.body); });
   });
 }
@@ -222,7 +227,7 @@ void SclLowering::statement(const iec::Statement& one) {
 void SclLowering::assign(const iec::Statement& one) {
   const iec::Expr& target = *one.target;
   unplaced_.insert(&one);
-  if (ok_ && target.parts.size() == 1 && iec::foldedName(target.parts[0].name) == "OK") {
+  if (ok_ && isOkFlag(target)) {
     const SclValue given = valueAs(*one.value, Kind::Bool);
     scan(given);
     return store(*ok_, Kind::Bool);
@@ -238,7 +243,7 @@ void SclLowering::assign(const iec::Statement& one) {
     own.span = target.span;
     own.parts.push_back({iec::PathPart::Kind::Name, "#RET_VAL", {}, 0, 1, target.span});
   }
-  const Spot to = placeOf(isOwn ? own : target);
+  const Spot to = placeOrSlice(isOwn ? own : target);
   if (to.bound.constant) refuse(target.span, fmt::format("{} is a constant", written(target.span)), Syntax::SclType);
   if (to.bound.type && sclBits(to.bound.type->kind) == 0) {
     if (one.value->kind != iec::ExprKind::Path || !to.indices.empty())
@@ -252,6 +257,7 @@ void SclLowering::assign(const iec::Statement& one) {
   }
   bool isUntyped = false;
   const Kind kind = kindOf(to.bound, target.span, isUntyped);
+  if (to.slice != nullptr) return storeSlice(to, kind, *one.value);
   unplaced_.erase(&one);
   SclValue given = value(*one.value);
   if (isUntyped && !given.isLiteral && sclBits(given.kind) == sclBits(kind))

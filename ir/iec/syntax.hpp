@@ -39,6 +39,7 @@ struct PathPart {
   std::uint32_t bit = 0;   ///< the lowest
   std::uint32_t bits = 1;  ///< 8, 16, 32: `.%B1`, `.%W0`, `.%D1`
   Span span;
+  bool isSlice = false;  ///< a bit with %: `.%X3`, not `.3`
 };
 
 struct Argument {

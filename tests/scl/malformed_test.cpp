@@ -77,7 +77,8 @@ constexpr MalformedCase malformedCases[] = {
     {"EDGE := 5;", "10:1", "EDGE is a constant"},
     {"#f := OK;", "10:7", "it can only be written"},
     {"#a := M10.9;", "10:7", "a byte has the bits 0 to 7"},
-    {"#f := #w.%X3;", "10:10", "parts of a value such as #w.%X3 are not covered"},
+    {"#f := #w.%X16;", "10:10", "a value of 16 bits has no part %X16"},
+    {"FOR #w.%X3 := 0 TO 1 DO ; END_FOR;", "10:8", "parts of a value such as #w.%X3 are not covered here"},
 };
 
 TEST(SclMalformed, MistakesAreSaidAtTheirPlaces) {
