@@ -138,7 +138,7 @@ bool isNumberType(TypeKind kind) {
 BoundOperand OperandBinder::bind(const Operand& operand, BlockScope& scope) {
   BoundOperand result = [&] {
     switch (operand.form) {
-      case OperandForm::Address: return address(operand, scope);
+      case OperandForm::Address: return operand.name.empty() ? address(operand, scope) : namedAddress(operand, scope);
       case OperandForm::Local: return local(operand, scope, operand.path);
       case OperandForm::Symbol: return symbol(operand, scope);
       case OperandForm::Indirect: return indirect(operand, scope);
@@ -313,6 +313,24 @@ BoundOperand OperandBinder::dataField(const Operand& operand, BlockKey block) {
   const std::string_view mark = operand.block ? "" : "\"";  // DB10.speed
   result.operand.text = fmt::format("{0}{1}{0}.{2}", mark, operand.name, wholePath(operand.path));
   return result;
+}
+
+/// "Motor":Q4.0: where the table knows the name, it has to have the same address.
+BoundOperand OperandBinder::namedAddress(const Operand& operand, BlockScope& scope) {
+  BoundOperand written = address(operand, scope);
+  const SymbolRow* row = written.fault.empty() ? catalogue_.symbol(operand.name) : nullptr;
+  if (row == nullptr) return written;
+  const bool isAddress = row->address.form == OperandForm::Address;
+  BoundOperand known = isAddress ? symbol(operand, scope) : BoundOperand{};
+  const auto shown = [](rungproof::Operand place) {
+    place.text = std::string();
+    return toString(place);
+  };
+  if (!isAddress || !known.fault.empty() || shown(known.operand) != shown(written.operand))
+    return refused(Syntax::Operand7, operand.span,
+                   fmt::format("the symbol table has another address for \"{}\" than {}, which is written here",
+                               operand.name, shown(written.operand)));
+  return known;
 }
 
 BoundOperand OperandBinder::symbol(const Operand& operand, BlockScope& scope) {

@@ -51,6 +51,7 @@ class OperandBinder {
   BoundOperand local(const Operand& operand, BlockScope& scope, const std::vector<PathStep>& path);
   BoundOperand constantField(const Operand& operand, const s7300::Field& field);
   BoundOperand symbol(const Operand& operand, BlockScope& scope);
+  BoundOperand namedAddress(const Operand& operand, BlockScope& scope);
   BoundOperand dataField(const Operand& operand, BlockKey block);
   BoundOperand indirect(const Operand& operand, BlockScope& scope);
   BoundOperand parameterAddress(const Operand& operand, BlockScope& scope);

@@ -90,6 +90,7 @@ class OperandParser {
   OperandOutcome read(bool wantsLabel) {
     const std::uint32_t begin = cursor_.at();
     std::string fault = wantsLabel && !label() ? "a label is missing" : operand(wantsLabel);
+    if (fault.empty() && !wantsLabel) namedAddress();
     operand_.span = cursor_.spanFrom(begin);
     return {std::move(operand_), std::move(fault)};
   }
@@ -136,6 +137,20 @@ class OperandParser {
       return {};
     }
     return wordOrAddress();
+  }
+
+  /// "Motor":Q4.0: a symbol and its address together. The address counts; the name is kept beside it.
+  void namedAddress() {
+    const bool isName = operand_.form == OperandForm::Word ||
+                        (operand_.form == OperandForm::Symbol && operand_.path.empty() && !operand_.isPeripheral);
+    if (!isName || cursor_.peek() != ':') return;
+    const std::uint32_t back = cursor_.at();
+    cursor_.skip(1);
+    OperandOutcome outcome = OperandParser(cursor_, spelling_).read(false);
+    if (!outcome.fault.empty() || outcome.operand.form != OperandForm::Address || outcome.operand.block)
+      return cursor_.to(back);
+    outcome.operand.name = std::move(operand_.name);
+    operand_ = std::move(outcome.operand);
   }
 
   /// %IW64:P, "Level":P of TIA: the module and not its image.

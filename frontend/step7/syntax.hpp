@@ -65,7 +65,7 @@ struct Operand {
   bool isBehindDeclared = false;     ///< Address of L: counted from behind the declared data
   bool isPeripheral = false;         ///< Symbol with :P: the module itself, not its image
   std::optional<BlockName> block;    ///< Address, Symbol: DB10. before it; Block: itself; Indirect: the kind of block
-  std::string name;                  ///< Symbol: what stands in the quotation marks; Word: itself
+  std::string name;                  ///< Symbol, Address beside one: the name; Word: itself
   std::vector<PathStep> path;        ///< Local, Parameter: all; Symbol: what follows the name
   Constant constant;                 ///< Constant
   std::uint8_t addressRegister = 0;  ///< Indirect: 1, 2; 0: `pointer` holds the address

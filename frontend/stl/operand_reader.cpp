@@ -187,8 +187,23 @@ bool readAddress(std::string_view text, Spelling spelling, Operand& operand) {
   return true;
 }
 
+/// Start:I0.0, "Motor on":Q0.5: a symbol and its address, as the editor can show them together. Left to the resolver as
+/// a name, ':' and the address in international spelling; nothing if it is something else.
+static std::optional<OperandResult> readNamedAddress(std::string_view text, Spelling spelling) {
+  const bool isQuoted = text[0] == '"';
+  const std::size_t colon = isQuoted ? text.find("\":") : text.find(':');
+  if (colon == std::string_view::npos || colon < 1 || (isQuoted && colon < 2)) return std::nullopt;
+  const std::string_view name = isQuoted ? text.substr(1, colon - 1) : text.substr(0, colon);
+  std::string_view address = text.substr(colon + (isQuoted ? 2 : 1));
+  if (address.starts_with('%')) address.remove_prefix(1);
+  Operand place;
+  if ((!isQuoted && !isName(name)) || !readAddress(address, spelling, place)) return std::nullopt;
+  return symbol(std::string(name) + namedAddressMark + toString(place));
+}
+
 OperandResult readOperand(std::string_view text, const OperandContext& context) {
   if (text.empty()) return faulty(OperandFault::Unreadable);
+  if (auto named = readNamedAddress(text, context.spelling)) return std::move(*named);
   const char first = text[0];
   if (first == '?')
     return text.find_first_not_of("?.") == std::string_view::npos

@@ -26,7 +26,10 @@ struct OperandContext {
   TextEncoding encoding = TextEncoding::Utf8;
 };
 
-/// Reads one operand; names become OperandKind::Symbol (value -1) for the resolver, with * & # kept in the text.
+/// Between a name and an address that are written together: Start:I0.0.
+inline constexpr char namedAddressMark = ':';
+/// Reads one operand; names become OperandKind::Symbol (value -1) for the resolver, with * & # kept in the text, and so
+/// do names with an address behind them.
 OperandResult readOperand(std::string_view text, const OperandContext& context);
 
 /// Reads an address such as I0.0, VW10, T37, AC1, HC2, AIW4; nothing if `text` is none.

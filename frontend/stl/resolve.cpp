@@ -82,11 +82,27 @@ class Resolver {
       return resolveRoutine(operand, expected.type);
     if (operand.kind == OperandKind::Text && expected.type != Type::String) return resolveQuoted(operand, expected);
     if (operand.kind != OperandKind::Symbol) return true;
+    if (const std::size_t mark = std::string_view(operand.text).rfind(namedAddressMark); mark != std::string_view::npos)
+      return resolveNamedAddress(operand, mark);
     const char sign = operand.text[0] == '*' || operand.text[0] == '&' ? operand.text[0] : '\0';
     const std::string_view name = std::string_view(operand.text).substr(sign == '\0' ? 0 : 1);
     Operand place;
     if (!lookUp(name, place)) return sign == '\0' ? mend(operand, expected) : true;
     return replace(operand, place, sign);
+  }
+
+  /// Start:I0.0: the address counts, and a table that knows the name has to agree.
+  bool resolveNamedAddress(Operand& operand, std::size_t mark) {
+    const std::string text(operand.text.view());
+    const std::string name = text.substr(0, mark);
+    Operand written, known;
+    if (!readAddress(text.substr(mark + 1), Spelling::International, written)) return fault(operand, text);
+    const bool isKnown = lookUp(name, known);
+    if (isKnown && (known.kind != OperandKind::Direct || toString(known) != toString(written)))
+      return fault(operand, fmt::format("{} is {} by the symbol table, and {} is written here", name, toString(known),
+                                        toString(written)));
+    operand.text = isKnown ? name : std::string();
+    return replace(operand, isKnown ? known : written, '\0');
   }
 
   bool lookUp(std::string_view name, Operand& place) const {

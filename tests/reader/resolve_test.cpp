@@ -26,6 +26,24 @@ TEST(Resolve, SymbolsInEveryPlace) {
   EXPECT_EQ(program.sources->text(pointer.span), "*Ptr");
 }
 
+TEST(Resolve, SymbolAndAddressTogether) {
+  // The editor can show both. The address counts; who is in the table has to have the same one.
+  const std::string table = "Start\tI0.0\nLevel\tVW10\nTime\tT37\n";
+  const Program program = readWith(
+      table, "LD Start:I0.0\n= \"Motor on\":Q0.5\nMOVW Level:VW10, Other:VW12\nTON Time:T37, 5\nA Start:%I0.0");
+  EXPECT_EQ(findings(program), "");
+  EXPECT_EQ(show(program.pous[0]), "LD I0.0; = Q0.5; MOVW VW10,VW12; TON T37,5; A I0.0");
+  const auto& move = program.pous[0].networks[0].instructions[2];
+  EXPECT_EQ(move.operands[0].text, "Level");
+  EXPECT_EQ(move.operands[1].text, "") << "no table knows the name";
+  const Program differs = readWith(table, "LD Start:I0.1\n= Q0.0");
+  ASSERT_EQ(differs.findings.size(), 1U);
+  EXPECT_EQ(differs.findings[0].message, "Start is I0.0 by the symbol table, and I0.1 is written here");
+  EXPECT_FALSE(differs.pous[0].networks[0].complete);
+  for (const char* none : {"LD Start:", "LD :I0.0", "LD Start:Stop", "LD 5:I0.0", "LD \"\":I0.0"})
+    EXPECT_NE(findings(readWith(table, std::string(none) + "\n= Q0.0")), "") << none;
+}
+
 TEST(Resolve, LocalsHideSymbols) {
   const Program program = readText("a.awl",
                                    "SUBROUTINE_BLOCK A:SBR0\nVAR_INPUT\nx:BOOL;\nEND_VAR\nBEGIN\nNetwork 1\nLD x\nA "
