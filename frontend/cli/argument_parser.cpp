@@ -25,7 +25,6 @@ CLI::Option* declare(CLI::App& app, const Argument& row) {
   if (row.isFlag()) return app.add_flag(names);
   CLI::Option* option = declareValue(app, names, row.repeatable);
   if (!row.isOption() && row.repeatable) option->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args();
-  if (row.splits) option->delimiter(',');
   return option->required(row.required && !row.isInputs());
 }
 
@@ -42,6 +41,24 @@ std::vector<std::string> optionNames(const CLI::App& app) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
   return names;
+}
+
+/// The parts between commas; a comma in quotation marks belongs to a name.
+std::vector<std::string> quotedParts(const std::vector<std::string>& texts) {
+  std::vector<std::string> parts;
+  for (const std::string& text : texts) {
+    parts.emplace_back();
+    bool isQuoted = false;
+    for (const char c : text) {
+      if (c == '"') isQuoted = !isQuoted;
+      if (c == ',' && !isQuoted)
+        parts.emplace_back();
+      else
+        parts.back() += c;
+    }
+  }
+  if (parts.size() > 1) std::erase(parts, std::string());
+  return parts;
 }
 
 /// What CLI11 says of wrong arguments, in our words.
@@ -99,7 +116,7 @@ ParsedLine parseArguments(const Command& command, const ArgumentTable& table, st
     const Argument& row = table.rows()[i];
     if (own[i]->count() == 0 && row.isInputs()) line.lacking = &row;
     if (own[i]->count() == 0) continue;
-    const std::vector<std::string>& texts = own[i]->results();
+    const std::vector<std::string> texts = row.splits ? quotedParts(own[i]->results()) : own[i]->results();
     if (!row.isOption()) line.arguments.insert(line.arguments.end(), texts.begin(), texts.end());
     if (row.isInputs()) line.inputs = texts;
     line.failure = row.take(texts);
