@@ -53,6 +53,17 @@ bool isWrittenAt(const std::vector<IecToken>& tokens, std::size_t i) {
   return i < tokens.size() && tokens[i].text == ":=";
 }
 
+/// The same block, whether it is written FC1, fc1 or FC 1.
+bool isSameBlock(std::string_view a, std::string_view b) {
+  const auto bare = [](std::string_view name) {
+    std::string text(name);
+    std::erase_if(text, [](char c) { return c == ' ' || c == '\t'; });
+    return text;
+  };
+  const bool isQuoted = a.starts_with('"') || b.starts_with('"');
+  return equalsIgnoringCase(a, b) || (!isQuoted && equalsIgnoringCase(bare(a), bare(b)));
+}
+
 class NameSearch {
  public:
   explicit NameSearch(const CheckedDocument& document) : document_(document) {
@@ -172,7 +183,7 @@ class NameSearch {
   std::optional<Place> placeOfBlock(std::string_view name) const {
     for (const LexedFile& text : texts_) {
       for (const TextBlock& block : text.blocks) {
-        if (equalsIgnoringCase(block.name, name)) return Place{&text, &block};
+        if (isSameBlock(block.name, name)) return Place{&text, &block};
       }
     }
     return std::nullopt;
@@ -291,9 +302,8 @@ class NameSearch {
     found.declaration = spanOfToken(*place->first, place->second->begin + 1);
     for (const LexedFile& text : texts_) {
       for (std::size_t i = 1; i < text.tokens.size(); ++i) {
-        if (!isWord(text.tokens[i], name) || text.tokens[i - 1].text == "." ||
-            spanOfToken(text, i) == found.declaration)
-          continue;
+        const bool isNamed = text.tokens[i].kind == TokenKind::Word && isSameBlock(text.tokens[i].text, name);
+        if (!isNamed || text.tokens[i - 1].text == "." || spanOfToken(text, i) == found.declaration) continue;
         const auto block =
             std::ranges::find_if(text.blocks, [&](const TextBlock& one) { return one.begin < i && i < one.end; });
         const bool isOwn = block != text.blocks.end() && !sectionOf(text.tokens, *block, name).empty() &&

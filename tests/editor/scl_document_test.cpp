@@ -64,5 +64,28 @@ TEST(SclDocument, NamesHavePagesDefinitionsAndUses) {
             (std::vector<std::string>{"8:14-8:15", "8:19-8:20"}));
 }
 
+TEST(SclDocument, BlocksWrittenWithABlank) {
+  // FC 1 and FC1 are one block: its page, its heading and its uses are the same from everywhere.
+  EditorSession session;
+  session.open(
+      "FUNCTION FC 1 : INT\nVAR_INPUT a : BOOL; END_VAR\nBEGIN\nFC1 := 5;\nEND_FUNCTION\n"
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nMW20 := FC1(a := I0.0);\nMW22 := FC 1(a := I0.1);\nEND_ORGANIZATION_BLOCK\n",
+      sclUri);
+  const std::vector<std::pair<int, int>> places = {{0, 10}, {0, 12}, {3, 1}, {7, 9}, {8, 9}, {8, 11}};
+  for (const auto& [line, character] : places) {
+    EXPECT_EQ(textAt(session.ask("textDocument/hover", line, character, sclUri), "contents/value"),
+              "**FC 1**\n\nFUNCTION\n")
+        << line << ':' << character;
+    EXPECT_EQ(rangesOf(session.ask("textDocument/definition", line, character, sclUri)),
+              (std::vector<std::string>{"0:9-0:13"}))
+        << line << ':' << character;
+    Json place = session.place(line, character, sclUri);
+    place["context"] = Json{{"includeDeclaration", false}};
+    EXPECT_EQ(rangesOf(at(session.request("textDocument/references", place), "result")),
+              (std::vector<std::string>{"3:0-3:3", "7:8-7:11", "8:8-8:12"}))
+        << line << ':' << character;
+  }
+}
+
 }  // namespace
 }  // namespace rungproof::test
