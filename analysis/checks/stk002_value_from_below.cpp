@@ -5,7 +5,6 @@
 
 #include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
-#include "ir/s7200/cpu.hpp"
 
 namespace rungproof {
 
@@ -14,7 +13,6 @@ namespace {
 void checkStk002(const Facts& facts, FindingSink& sink) {
   for (const StackFault& fault : facts.stack().faults()) {
     if (fault.kind != StackFaultKind::FromBelow) continue;
-    if (fault.other == nullptr && isSmart(facts.target())) continue;  // STK007
     const std::string text = Facts::text(*fault.instruction);
     if (fault.other == nullptr) {
       Finding& finding =
