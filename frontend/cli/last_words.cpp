@@ -18,15 +18,18 @@ namespace {
 
 std::terminate_handler usualEnd = nullptr;
 
+/// Functions of the C++ library that promise not to throw end the program without catching what was thrown in them;
+/// that is nothing but the lack of memory.
 bool isMemoryOver() {
+  const std::exception_ptr exception = std::current_exception();
+  if (exception == nullptr) return std::uncaught_exceptions() > 0;
   try {
-    if (const std::exception_ptr exception = std::current_exception()) std::rethrow_exception(exception);
+    std::rethrow_exception(exception);
   } catch (const std::bad_alloc&) {
     return true;
   } catch (...) {
     return false;
   }
-  return false;
 }
 
 /// The first thread that comes here ends the process, and the others with it.
